@@ -1,0 +1,53 @@
+// What EGL needs of the GL front end: contexts, share groups, the default framebuffer, command addresses.
+#pragma once
+
+#include <GLES/gl.h>
+
+#include <memory>
+#include <string_view>
+
+#include "layer/render/renderer.h"
+
+namespace anteroom::gl {
+
+class Context;     // layer/gl/context.h
+class ShareGroup;  // texture and buffer objects that contexts share
+
+struct ContextOptions {
+  bool debug = false;
+  bool noError = false;
+  bool robustAccess = false;
+};
+
+// A context on `device`. `shareWith` null: a share group of its own. Null: out of memory.
+std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device& device, Context* shareWith,
+                                                           const ContextOptions& options);
+
+// The calling thread's current context; null: none. Commands without a current context do nothing.
+Context* currentContext();
+
+// Makes `context` (null: none) the calling thread's. EGL has checked that no other thread has it. The former context
+// is flushed when it changes.
+void makeCurrent(Context* context);
+
+// The window-system framebuffer that name 0 means; null: none (EGL_KHR_surfaceless_context). At the first call with a
+// framebuffer in a context's life, viewport and scissor take its size (sections 2.10.1, 4.1.2). It is copied; the
+// bits that queries such as RED_BITS give come from its images.
+void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer);
+
+// eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the texture had
+// is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it is still bound.
+bool bindTexImage(Context& context, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha);
+void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& image);
+
+render::Context& rendererOf(Context& context);
+
+// glFlush and glFinish for EGL's waits and swaps.
+void flush(Context& context);
+void finish(Context& context);
+
+using Proc = void (*)();
+// The address of a gl* command, null when there is none of that name.
+Proc procAddress(std::string_view name);
+
+}  // namespace anteroom::gl

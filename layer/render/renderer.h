@@ -1,0 +1,151 @@
+// The seam: what any renderer offers to the GL and EGL front ends. No Vulkan here.
+//
+// A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group and
+// are held by shared_ptr: a renderer keeps what the GPU still uses alive after the last reference is gone.
+// Device is thread-safe. A Context, and the images and buffers it uses, are used by one thread at a time: the front
+// end sees to that. Functions that can run out of memory say so by their result and change nothing.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "gen/profile.h"
+#include "layer/render/state.h"
+
+namespace anteroom::render {
+
+enum class Dimension : uint8_t { Flat, Cube, Volume };
+
+struct ImageDesc {
+  Dimension dimension = Dimension::Flat;
+  Format format = Format::RGBA8;
+  int width = 1, height = 1, depth = 1;  // level 0, texels
+  int levels = 1;
+  int samples = 1;
+  bool renderable = false;  // will be an attachment (a texture becomes one by being attached: any image may)
+};
+
+// Bytes in client memory for a rectangle or box of texels of one level.
+struct Region {
+  int level = 0;
+  int layer = 0;  // cube face; 0 otherwise
+  int x = 0, y = 0, z = 0;
+  int width = 0, height = 0, depth = 1;
+};
+
+class Image {
+ public:
+  virtual ~Image() = default;
+  const ImageDesc& desc() const { return desc_; }
+
+ protected:
+  explicit Image(const ImageDesc& desc) : desc_(desc) {}
+  ImageDesc desc_;
+};
+
+// A buffer object's store. Its contents are always readable by the CPU: indices are scanned, arrays are gathered.
+class Buffer {
+ public:
+  virtual ~Buffer() = default;
+  size_t size() const { return size_; }
+  // The current contents, size() bytes. Stays valid until the next write or destruction.
+  virtual const std::byte* contents() const = 0;
+  // Replaces bytes [offset, offset + size). Draws issued before see the old bytes. False: out of memory.
+  virtual bool write(size_t offset, const void* data, size_t size) = 0;
+
+ protected:
+  explicit Buffer(size_t size) : size_(size) {}
+  size_t size_;
+};
+
+// What has happened so far in a context; for tests and --stats.
+struct Stats {
+  uint64_t draws = 0;
+  uint64_t pipelinesCreated = 0;
+  uint64_t shadersCompiled = 0;     // calls into glslang
+  uint64_t vulkanObjectsCreated = 0;  // of every kind, pipelines and memory included
+  uint64_t memoryAllocations = 0;   // device memory
+  uint64_t submits = 0;
+  uint64_t renderPasses = 0;
+  uint64_t bytesUploaded = 0;
+};
+
+struct Caps {
+  std::string deviceName;   // goes into GL_RENDERER
+  std::string driverName;
+  gen::Profile profile;
+  int maxTextureSize = 2048;
+  int maxCubeMapSize = 2048;
+  int maxVolumeSize = 256;
+  int maxViewport[2] = {2048, 2048};
+  float pointSizeRange[2] = {1, 1};
+  float lineWidthRange[2] = {1, 1};
+  float smoothPointSizeRange[2] = {1, 1};
+  float smoothLineWidthRange[2] = {1, 1};
+  int subpixelBits = 4;
+  float maxAnisotropy = 1;
+  bool isCpu = false;
+  // Formats in which framebuffers can be offered without loss; sample counts other than 1 that work with all.
+  bool renderable[16] = {};  // indexed by Format
+  int maxSamples = 1;
+};
+
+class Context {
+ public:
+  virtual ~Context() = default;
+
+  // state.fixed.primitive and kGroupPrimitive are set by the caller to fit call.mode. Arrays: those enabled in
+  // state.fixed.attributes; kPosition is enabled. A read beyond a buffer's end gives zeros or any value from the
+  // same buffer, never another's memory. False: out of memory.
+  virtual bool draw(State& state, const DrawCall& call) = 0;
+
+  // mask: GL_COLOR_BUFFER_BIT and so on. Honours scissor and write masks (section 4.2.3).
+  virtual bool clear(State& state, GLbitfield mask) = 0;
+
+  // Reads `rect` of a framebuffer, which may hang over its edges: pixels outside are left untouched in memory. Rows
+  // from GL's lowest to highest, `rowPitch` bytes apart; format RGBA8 or the framebuffer's own color format.
+  virtual bool readPixels(const Framebuffer& framebuffer, const Rect& rect, Format format, void* out,
+                          size_t rowPitch) = 0;
+
+  // Replaces texels of one level. `data` has the image's own format, rows `rowPitch` and slices `slicePitch` bytes
+  // apart. The region lies inside the level.
+  virtual bool upload(Image& image, const Region& region, const void* data, size_t rowPitch,
+                      size_t slicePitch) = 0;
+
+  // glCopyTexSubImage2D: `source`'s lower left corner goes to (region.x, region.y); the rest of the rectangle lies
+  // inside the level. Components that the image has not are dropped; source pixels outside the framebuffer leave
+  // their texels as they are. Rows keep GL's order.
+  virtual bool copyFromFramebuffer(Image& image, const Region& region, const Framebuffer& source, int x,
+                                   int y) = 0;
+
+  // Copies all texels of level `sourceLevel` of `source` to `level` of `image`; same format and size.
+  virtual bool copyLevel(Image& image, int level, Image& source, int sourceLevel) = 0;
+
+  // Levels 1 and up from level 0, all faces: a box filter (section 3.7.8).
+  virtual bool generateMipmaps(Image& image) = 0;
+
+  // glFlush; glFinish. After finish everything that this context issued is done.
+  virtual void flush() = 0;
+  virtual void finish() = 0;
+
+  // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed.
+  virtual uint64_t insertFence() = 0;
+  virtual bool waitFence(uint64_t fence, uint64_t timeout) = 0;
+
+  virtual const Stats& stats() const = 0;
+};
+
+class Device {
+ public:
+  virtual ~Device() = default;
+  virtual const Caps& caps() const = 0;
+  // Null: out of memory, or a size that the device cannot have.
+  virtual std::shared_ptr<Image> createImage(const ImageDesc& desc) = 0;
+  // `data` null: zeros.
+  virtual std::shared_ptr<Buffer> createBuffer(size_t size, const void* data) = 0;
+  virtual std::unique_ptr<Context> createContext() = 0;
+};
+
+}  // namespace anteroom::render
