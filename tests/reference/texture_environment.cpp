@@ -1,0 +1,134 @@
+#include "tests/reference/texture_environment.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace anteroom::reference {
+
+namespace {
+
+using Samples = std::array<glm::dvec4, gen::kMaxTextureUnits>;
+
+glm::dvec4 clamp01(const glm::dvec4& c) {
+  return glm::clamp(c, glm::dvec4(0), glm::dvec4(1));
+}
+
+struct Inputs {
+  const render::State& state;
+  const Samples& samples;
+  size_t unit;
+  glm::dvec4 primary, previous;
+};
+
+// Tables 3.18 and 3.19, and OES_texture_env_crossbar. A unit that is off is transparent white's opposite:
+// black.
+glm::dvec4 source(const Inputs& in, GLenum name) {
+  switch (name) {
+    case GL_TEXTURE:
+      return in.samples[in.unit];
+    case GL_CONSTANT:
+      return clamp01(in.state.fixed.units[in.unit].env.color);
+    case GL_PRIMARY_COLOR:
+      return in.primary;
+    case GL_PREVIOUS:
+      return in.previous;
+    default:
+      return in.samples[std::min<size_t>(name - GL_TEXTURE0, gen::kMaxTextureUnits - 1)];
+  }
+}
+
+glm::dvec3 rgbArgument(const Inputs& in, GLenum name, GLenum operand) {
+  const glm::dvec4 color = source(in, name);
+  switch (operand) {
+    case GL_SRC_COLOR:
+      return color;
+    case GL_ONE_MINUS_SRC_COLOR:
+      return 1.0 - glm::dvec3(color);
+    case GL_SRC_ALPHA:
+      return glm::dvec3(color.a);
+    default:
+      return glm::dvec3(1 - color.a);
+  }
+}
+double alphaArgument(const Inputs& in, GLenum name, GLenum operand) {
+  const double alpha = source(in, name).a;
+  return operand == GL_ONE_MINUS_SRC_ALPHA ? 1 - alpha : alpha;
+}
+
+// Table 3.17, for colors and for alphas.
+template <typename T>
+T combine(GLenum function, const T& a0, const T& a1, const T& a2) {
+  switch (function) {
+    case GL_REPLACE:
+      return a0;
+    case GL_MODULATE:
+      return a0 * a1;
+    case GL_ADD:
+      return a0 + a1;
+    case GL_ADD_SIGNED:
+      return a0 + a1 - 0.5;
+    case GL_INTERPOLATE:
+      return a0 * a2 + a1 * (1.0 - a2);
+    default:
+      return a0 - a1;  // GL_SUBTRACT
+  }
+}
+
+glm::dvec4 combiner(const Inputs& in) {
+  const gen::TextureEnv& env = in.state.fixed.units[in.unit].env;
+  glm::dvec3 c[3];
+  double a[3];
+  for (size_t i = 0; i < 3; ++i) {
+    c[i] = rgbArgument(in, env.srcRgb[i], env.operandRgb[i]);
+    a[i] = alphaArgument(in, env.srcAlpha[i], env.operandAlpha[i]);
+  }
+  const double rgbScale = env.rgbScale, alphaScale = env.alphaScale;
+  if (env.combineRgb == GL_DOT3_RGB || env.combineRgb == GL_DOT3_RGBA) {
+    const double dot = 4 * glm::dot(c[0] - 0.5, c[1] - 0.5) * rgbScale;
+    const double alpha = env.combineRgb == GL_DOT3_RGBA
+                             ? 4 * glm::dot(c[0] - 0.5, c[1] - 0.5) * rgbScale
+                             : combine(env.combineAlpha, a[0], a[1], a[2]) * alphaScale;
+    return clamp01({glm::dvec3(dot), alpha});
+  }
+  return clamp01({combine(env.combineRgb, c[0], c[1], c[2]) * rgbScale,
+                  combine(env.combineAlpha, a[0], a[1], a[2]) * alphaScale});
+}
+
+// Tables 3.15 and 3.16.
+glm::dvec4 textureFunction(const Inputs& in) {
+  const gen::TextureUnit& unit = in.state.fixed.units[in.unit];
+  const glm::dvec4 f = in.previous, t = in.samples[in.unit];
+  const glm::dvec3 cf(f), ct(t), cc(clamp01(unit.env.color));
+  const bool hasColor = unit.baseFormat != GL_ALPHA;
+  const bool hasAlpha = unit.baseFormat != GL_LUMINANCE && unit.baseFormat != GL_RGB;
+  const double modulatedAlpha = hasAlpha ? f.a * t.a : f.a;
+  switch (unit.env.mode) {
+    case GL_REPLACE:
+      return {hasColor ? ct : cf, hasAlpha ? t.a : f.a};
+    case GL_MODULATE:
+      return {hasColor ? cf * ct : cf, modulatedAlpha};
+    case GL_DECAL:  // defined for RGB and RGBA; elsewhere the fragment passes
+      if (unit.baseFormat == GL_RGB) return {ct, f.a};
+      if (unit.baseFormat == GL_RGBA) return {cf * (1 - t.a) + ct * t.a, f.a};
+      return f;
+    case GL_BLEND:
+      return {hasColor ? cf * (1.0 - ct) + cc * ct : cf, modulatedAlpha};
+    case GL_ADD:
+      return {hasColor ? cf + ct : cf, modulatedAlpha};
+    default:
+      return combiner(in);
+  }
+}
+
+}  // namespace
+
+glm::dvec4 applyTextures(const render::State& state, const glm::dvec4& primary, const Samples& samples) {
+  glm::dvec4 color = clamp01(primary);
+  for (size_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
+    if (state.fixed.units[unit].target == gen::TextureTarget::None) continue;
+    color = clamp01(textureFunction({state, samples, unit, clamp01(primary), color}));
+  }
+  return color;
+}
+
+}  // namespace anteroom::reference
