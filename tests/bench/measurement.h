@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace bench {
+
+// What one process measured under one name.
+struct Measurement {
+  std::string name;
+  std::string unit;             // "ms" or "MiB"
+  std::vector<double> samples;  // empty when faulty
+  std::string fault;            // why the picture was wrong, else empty
+};
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, unit, samples, fault)
+
+// What a worker process hands to the one that started it.
+struct WorkerReport {
+  std::string implementation;
+  std::vector<Measurement> measurements;
+};
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerReport, implementation, measurements)
+
+// Of a non-empty set.
+double median(std::vector<double> values);
+
+}  // namespace bench
