@@ -1,0 +1,199 @@
+// A GL context, the objects that contexts share, and what every command begins with.
+//
+// A command looks like this:
+//
+//   extern "C" void GL_APIENTRY glLineWidth(GLfloat width) {
+//     Context* c = current();
+//     if (!c) return;
+//     if (!(width > 0)) return c->setError(GL_INVALID_VALUE);
+//     c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
+//   }
+//
+// Validation comes first and changes nothing; state goes straight into `state`, whose groups are marked.
+// Commands that touch shared objects or the renderer hold a ShareLock; internal functions never take one.
+#pragma once
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+#include "layer/gl/front_end.h"
+#include "layer/gl/object_table.h"
+#include "layer/render/renderer.h"
+
+namespace anteroom::gl {
+
+struct BufferObject;  // buffer.h: `GLuint name` and `std::shared_ptr<render::Buffer> store` (null: size 0)
+struct Texture;       // texture.h: `GLuint name` and the rest
+
+// Textures and buffers of contexts that share. A context alone in its group pays nothing for the lock.
+class ShareGroup {
+ public:
+  explicit ShareGroup(render::Device& d) : device(d) {}
+
+  render::Device& device;
+  ObjectTable<Texture> textures;
+  ObjectTable<BufferObject> buffers;
+
+  // Raised when any texture's images, completeness or sampler state change, or any buffer's store is
+  // replaced: every context of the group then looks at its bindings again before it draws. New contents alone
+  // do not count.
+  std::atomic<uint32_t> textureVersion{1};
+  std::atomic<uint32_t> bufferVersion{1};
+
+  std::atomic<int> contexts{0};
+  std::mutex mutex;
+};
+
+class ShareLock {
+ public:
+  explicit ShareLock(ShareGroup& group)
+      : mutex_(group.contexts.load(std::memory_order_relaxed) > 1 ? &group.mutex : nullptr) {
+    if (mutex_) mutex_->lock();
+  }
+  ~ShareLock() {
+    if (mutex_) mutex_->unlock();
+  }
+  ShareLock(const ShareLock&) = delete;
+  ShareLock& operator=(const ShareLock&) = delete;
+
+ private:
+  std::mutex* mutex_;
+};
+
+// Limits that queries report (Tables 6.19 to 6.21).
+inline constexpr int kModelviewDepth = 32;
+inline constexpr int kProjectionDepth = 32;
+inline constexpr int kTextureDepth = 10;
+
+// The matrices below the top; the top lives in render::State.
+template <int Depth>
+struct MatrixStack {
+  std::array<glm::dmat4, Depth - 1> below;
+  int depth = 1;
+};
+
+enum TextureSlot : uint8_t { kSlot2D, kSlotCube, kSlot3D, kSlotCount };
+
+struct UnitBindings {
+  std::array<std::shared_ptr<Texture>, kSlotCount> bound;  // never null: name 0 is a default texture
+  std::array<bool, kSlotCount> enabled{};
+};
+
+// Section 2.8. An array as the program described it; the renderer's view of it is made at the draw.
+struct ClientArray {
+  bool enabled = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLsizei stride = 0;
+  const void* pointer = nullptr;
+  std::shared_ptr<BufferObject> buffer;
+};
+
+struct VertexArrays {
+  std::array<ClientArray, gen::kAttributeCount> arrays;
+  std::shared_ptr<BufferObject> elementBuffer;
+};
+
+struct Hints {
+  GLenum perspectiveCorrection = GL_DONT_CARE;
+  GLenum pointSmooth = GL_DONT_CARE;
+  GLenum lineSmooth = GL_DONT_CARE;
+  GLenum fog = GL_DONT_CARE;
+  GLenum generateMipmap = GL_DONT_CARE;
+};
+
+class Context {
+ public:
+  Context(render::Device& device, std::shared_ptr<ShareGroup> shareGroup,
+          std::unique_ptr<render::Context> renderContext, const ContextOptions& contextOptions);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  // Section 2.5: the first error stays until glGetError.
+  void setError(GLenum code) {
+    if (error == GL_NO_ERROR) error = code;
+  }
+  void mark(gen::Groups groups) { state.dirty |= groups; }
+  // Stores a value and marks groups when it differs from the old one.
+  template <class T>
+  void set(T& field, const T& value, gen::Groups groups) {
+    if (field == value) return;
+    field = value;
+    mark(groups);
+  }
+
+  // Whether there is something to draw to or read from (false: surfaceless, or an incomplete framebuffer
+  // object).
+  bool framebufferComplete() const { return hasFramebuffer; }
+
+  render::State state;
+  GLenum error = GL_NO_ERROR;
+  render::Device& device;
+  std::shared_ptr<ShareGroup> group;
+  std::unique_ptr<render::Context> renderer;
+  const ContextOptions options;
+
+  bool hasFramebuffer = false;  // state.framebuffer is one
+  bool hadFramebuffer = false;  // viewport and scissor have their initial values
+  render::Framebuffer defaultFramebuffer;
+
+  // Section 2.10.2.
+  GLenum matrixMode = GL_MODELVIEW;
+  MatrixStack<kModelviewDepth> modelviewStack;
+  MatrixStack<kProjectionDepth> projectionStack;
+  std::array<MatrixStack<kTextureDepth>, gen::kMaxTextureUnits> textureStacks;
+
+  // Sections 2.8, 2.9.
+  VertexArrays vertexArrays;
+  std::shared_ptr<BufferObject> arrayBuffer;
+  int clientActiveTexture = 0;
+  bool arraysStale = true;  // the renderer's view of the arrays must be made again
+  uint32_t seenBufferVersion = 0;
+
+  // Section 3.7. Bindings or enables that changed mark kGroupTextures.
+  int activeTexture = 0;
+  std::array<UnitBindings, gen::kMaxTextureUnits> units;
+  std::array<std::shared_ptr<Texture>, kSlotCount> defaultTextures;
+  uint32_t seenTextureVersion = 0;
+
+  // Section 3.6.1.
+  int packAlignment = 4;
+  int unpackAlignment = 4;
+
+  Hints hints;
+};
+
+// Constant initialised and in the thread's static block: one load.
+extern constinit thread_local Context* currentContextOfThread __attribute__((tls_model("initial-exec")));
+inline Context* current() {
+  return currentContextOfThread;
+}
+
+// Given by texture.cpp (texture.h declares them too):
+//   void initTextures(Context&): makes the default textures and binds them to every unit.
+//   void resolveTextureUnits(Context&): from bindings and enables to state.fixed.units[i].target and
+//   baseFormat and
+//     state.textures[i]. Called by a draw under the ShareLock, when kGroupTextures is marked.
+//   bindTexImage and releaseTexImage of front_end.h.
+
+// Section 2.3: fixed-point numbers are value / 65536. The other way: nearest, ties away from zero,
+// saturating; NaN gives 0.
+constexpr float fromFixed(GLfixed value) {
+  return static_cast<float>(value / 65536.0);
+}
+constexpr double fixedToDouble(GLfixed value) {
+  return value / 65536.0;
+}
+GLfixed toFixed(double value);
+// Nearest integer, saturating; NaN gives 0 (section 6.1.2).
+GLint roundToInt(double value);
+// [-1, 1] to the whole range of int: colors, normals, depth values (section 6.1.2).
+GLint normalisedToInt(double value);
+
+}  // namespace anteroom::gl
