@@ -47,10 +47,10 @@ std::shared_ptr<BufferObject> obtain(ShareGroup& group, GLuint name) {
 void unbindEverywhere(Context& c, const std::shared_ptr<BufferObject>& object) {
   if (c.arrayBuffer == object) c.arrayBuffer = nullptr;
   if (c.vertexArrays.elementBuffer == object) c.vertexArrays.elementBuffer = nullptr;
-  for (ClientArray& array : c.vertexArrays.arrays) {
-    if (array.buffer != object) continue;
-    array.buffer = nullptr;
-    c.arraysStale = true;
+  for (uint32_t i = 0; i < c.vertexArrays.arrays.size(); ++i) {
+    if (c.vertexArrays.arrays[i].buffer != object) continue;
+    c.vertexArrays.arrays[i].buffer = nullptr;
+    c.staleArrays |= 1u << i;
     c.mark(gen::kGroupArrays);
   }
 }

@@ -156,7 +156,7 @@ void convertRows(const PixelRows& rows, int width, int height, Format format, vo
 PixelFormat implementationReadFormat(const render::Framebuffer& framebuffer) {
   if (framebuffer.color.image) {
     const PixelFormat own = pixelFormatOf(framebuffer.color.image->desc().format);
-    if (own.format != GL_NONE) return own;
+    if (own.format) return own;
   }
   return {GL_RGBA, GL_UNSIGNED_BYTE};
 }

@@ -13,8 +13,8 @@ namespace anteroom::gl {
 
 // A format and type pair of Table 3.4.
 struct PixelFormat {
-  GLenum format = GL_NONE;
-  GLenum type = GL_NONE;
+  GLenum format = 0;
+  GLenum type = 0;
 };
 
 bool isPixelFormat(GLenum format);  // Table 3.3
