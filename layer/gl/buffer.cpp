@@ -73,9 +73,7 @@ bool respecify(Context& c, BufferObject& buffer, size_t size, const void* data) 
 
 using namespace anteroom::gl;
 
-extern "C" {
-
-void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
+GL_API void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
   Context* c = current();
   if (!c) return;
   if (n < 0) return c->setError(GL_INVALID_VALUE);
@@ -84,7 +82,7 @@ void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
   if (!c->group->buffers.reserve(n, buffers)) c->setError(GL_OUT_OF_MEMORY);
 }
 
-void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
+GL_API void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
   Context* c = current();
   if (!c) return;
   if (n < 0) return c->setError(GL_INVALID_VALUE);
@@ -98,14 +96,14 @@ void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
   }
 }
 
-GLboolean GL_APIENTRY glIsBuffer(GLuint buffer) {
+GL_API GLboolean GL_APIENTRY glIsBuffer(GLuint buffer) {
   Context* c = current();
   if (!c || buffer == 0) return GL_FALSE;
   ShareLock lock(*c->group);
   return c->group->buffers.find(buffer) ? GL_TRUE : GL_FALSE;
 }
 
-void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
+GL_API void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
   Context* c = current();
   if (!c) return;
   std::shared_ptr<BufferObject>* bound = binding(*c, target);
@@ -120,7 +118,7 @@ void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
   *bound = std::move(object);
 }
 
-void GL_APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+GL_API void GL_APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
@@ -133,7 +131,7 @@ void GL_APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void* data, 
   buffer->usage = usage;
 }
 
-void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
+GL_API void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size, const void* data) {
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
@@ -146,7 +144,7 @@ void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeiptr size
   if (!buffer->store->write(begin, data, bytes)) c->setError(GL_OUT_OF_MEMORY);
 }
 
-void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) {
+GL_API void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* params) {
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
@@ -159,5 +157,3 @@ void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLint* para
   *params = pname == GL_BUFFER_SIZE ? static_cast<GLint>(std::min(buffer->size(), kLargest))
                                     : static_cast<GLint>(buffer->usage);
 }
-
-}  // extern "C"

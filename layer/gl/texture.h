@@ -1,0 +1,150 @@
+// Texture objects (section 3.7): what the program said of each level, and where its texels are.
+//
+// Nothing is allocated on the device until texels are sampled, copied to or attached. Until then a level's texels
+// are kept as the program gave them; then they move into an image that has just the levels which the minification
+// filter can select, and the copy is freed. When more levels are wanted later, the image is replaced by a larger
+// one. Images are shared_ptrs: draws that were issued with an old one are safe.
+#pragma once
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "layer/gl/context.h"
+#include "layer/gl/pixel.h"
+#include "layer/render/renderer.h"
+
+namespace anteroom::gl {
+
+struct TextureLevel {
+  bool null() const { return width <= 0 || height <= 0; }
+
+  int width = 0, height = 0;   // texels
+  GLenum internalFormat = 1;   // as specified: a base format or a paletted one (section 3.7.10)
+  render::Format format = render::Format::None;
+
+  // Where the texels are: at most one of these. Neither: they are undefined, or derived.
+  std::unique_ptr<std::byte[]> pending;  // rows of `format` without gaps
+  std::shared_ptr<render::Image> home;
+  int homeLevel = 0;     // of home; its layer is the face for a cube map, else 0
+  bool derived = false;  // to be computed from level 0 (section 3.7.7, automatic mipmap generation)
+};
+
+// ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA.
+GLenum baseFormatOf(GLenum internalFormat);
+
+// Memory for texels. Null: out of memory.
+std::unique_ptr<std::byte[]> allocateTexels(int width, int height, render::Format format, bool zeroed);
+
+struct Texture {
+  // May throw std::bad_alloc. Faces and levels: for the slot and the device's limits.
+  Texture(GLuint textureName, TextureSlot textureSlot, const render::Caps& caps);
+
+  const GLuint name;
+  const TextureSlot slot;
+
+  render::Sampler sampler;
+  bool generateMipmap = false;
+  std::array<GLint, 4> cropRect{};  // OES_draw_texture
+
+  int faces() const { return slot == kSlotCube ? 6 : 1; }
+  int levels() const { return static_cast<int>(levels_.size()) / faces(); }
+  const TextureLevel& at(int face, int level) const { return levels_[index(face, level)]; }
+
+  // Sampler state or an image changed: every context looks again.
+  void changed(Context& c);
+
+  // These change texels; false means out of memory, and that nothing changed. Arguments have been validated. An
+  // image of eglBindTexImage is given back when a level is specified.
+
+  // TexImage2D; rows.data null: undefined texels.
+  bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+               const PixelRows& rows);
+  // The same with texels in memory that the texture takes over: never fails.
+  void specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+               render::Format format, std::unique_ptr<std::byte[]> texels);
+  // TexSubImage2D.
+  bool replace(Context& c, int face, int level, const render::Rect& rect, const PixelRows& rows);
+  // CopyTexImage2D: the rectangle of the current framebuffer whose lower left corner is (rect.x, rect.y).
+  bool specifyFromFramebuffer(Context& c, int face, int level, const render::Rect& rect, GLenum internalFormat,
+                              render::Format format);
+  // CopyTexSubImage2D: to texel (x, y).
+  bool replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const render::Rect& rect);
+
+  // eglBindTexImage, eglReleaseTexImage.
+  void import(Context& c, const std::shared_ptr<render::Image>& image, GLenum internalFormat);
+  bool imported(const std::shared_ptr<render::Image>& image) const { return image && import_ == image; }
+  void releaseImport(Context& c);
+
+  // Section 3.7.9 and OES_texture_cube_map: whether texturing with it is on at all. baseFormat() then says what its
+  // texels are.
+  bool complete() const;
+  GLenum baseFormat() const { return baseFormatOf(at(0, 0).internalFormat); }
+
+  // The image to sample, with every level that the sampler can select, for a complete texture. Null: out of
+  // memory.
+  const std::shared_ptr<render::Image>& sampled(Context& c);
+
+  // The one level as a render target. image null: out of memory.
+  render::Attachment attachment(Context& c, int face, int level);
+
+ private:
+  struct Place {
+    std::shared_ptr<render::Image> image;
+    int level = 0;
+    int layer = 0;
+  };
+
+  size_t index(int face, int level) const { return static_cast<size_t>(face * levels() + level); }
+  TextureLevel& edit(int face, int level) { return levels_[index(face, level)]; }
+  int layerOf(const render::Image& image, int face) const;
+
+  bool usesMipmaps() const;
+  int chainLength() const;  // levels of a full mipmap over level 0
+  bool chainComplete(int face) const;
+
+  // texture_storage.cpp
+  std::shared_ptr<render::Image> createImage(Context& c, render::Dimension dimension, render::Format format,
+                                             int width, int height, int levels) const;
+  bool holds(const render::Image& image, render::Format format, int width, int height, int level) const;
+  render::Format commonFormat(int levelCount) const;
+  bool copyTexels(Context& c, int face, int level, const Place& to) const;
+  bool move(Context& c, int face, int level, const std::shared_ptr<render::Image>& to, int toLevel);
+  bool moveLevel(Context& c, int level, const std::shared_ptr<render::Image>& to);
+  bool realise(Context& c, int levelCount);
+  bool reside(Context& c, int face, int level);
+  bool settle(Context& c, int face);
+  bool beforeBaseChanges(Context& c, int face, int level);
+  bool hasDerived(int face) const;
+  void derive(Context& c, int face);
+
+  std::vector<TextureLevel> levels_;  // by face, then level
+  std::shared_ptr<render::Image> image_;   // what is sampled, or was
+  std::shared_ptr<render::Image> import_;  // image_ belongs to EGL
+  bool ready_ = false;                     // image_ has what the sampler can select
+};
+
+// Makes the default textures (name 0) and binds them to every unit. May throw std::bad_alloc.
+void initTextures(Context& c);
+
+// From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i] (section 3.7.13).
+// Called by a draw under the ShareLock, when kGroupTextures is marked.
+void resolveTextureUnits(Context& c);
+
+// The slot of a binding target, and of a target that names an image. kSlotCount: none.
+TextureSlot bindingSlot(GLenum target);
+struct ImageTarget {
+  TextureSlot slot = kSlotCount;
+  int face = 0;
+};
+ImageTarget imageTarget(GLenum target);
+
+inline Texture& boundTexture(Context& c, TextureSlot slot) {
+  return *c.units[static_cast<size_t>(c.activeTexture)].bound[slot];
+}
+
+}  // namespace anteroom::gl
