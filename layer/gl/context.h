@@ -20,6 +20,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "layer/gl/front_end.h"
 #include "layer/gl/object_table.h"
@@ -153,7 +154,7 @@ class Context {
   VertexArrays vertexArrays;
   std::shared_ptr<BufferObject> arrayBuffer;
   int clientActiveTexture = 0;
-  bool arraysStale = true;  // the renderer's view of the arrays must be made again
+  uint32_t staleArrays = ~0u;  // bit a: the renderer's view of attribute a must be made again
   uint32_t seenBufferVersion = 0;
 
   // Section 3.7. Bindings or enables that changed mark kGroupTextures.
@@ -167,7 +168,19 @@ class Context {
   int unpackAlignment = 4;
 
   Hints hints;
+  GLint stencilRef = 0;  // as given; state.ops has it clamped to what the stencil buffer can hold
+  std::string rendererName;
 };
+
+// Makes `framebuffer` (null: none) what draws go to, and follows what the state knows of it.
+void useFramebuffer(Context& context, const render::Framebuffer* framebuffer);
+// Derived multisample state: section 4.1.3 applies only when MULTISAMPLE is on and there is more than one
+// sample.
+void updateMultisample(Context& context);
+// Section 4.1.5: the reference is clamped to [0, 2^s - 1], s the bits of the stencil buffer (0: there is
+// none).
+int stencilBits(const Context& context);
+void applyStencilRef(Context& context);
 
 // Constant initialised and in the thread's static block: one load.
 extern constinit thread_local Context* currentContextOfThread __attribute__((tls_model("initial-exec")));

@@ -1,0 +1,82 @@
+// What EGL needs of GL: the life of contexts, and which one is current.
+#include "layer/gl/front_end.h"
+
+#include <new>
+
+#include "layer/gl/context.h"
+#include "layer/gl/texture.h"
+
+namespace anteroom::gl {
+
+namespace {
+
+void destroyContext(Context* context) {
+  if (currentContextOfThread == context) currentContextOfThread = nullptr;
+  delete context;
+}
+
+}  // namespace
+
+std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device& device, Context* shareWith,
+                                                           const ContextOptions& options) {
+  std::unique_ptr<Context, void (*)(Context*)> context(nullptr, destroyContext);
+  try {
+    auto renderer = device.createContext();
+    if (!renderer) return context;
+    auto group = shareWith ? shareWith->group : std::make_shared<ShareGroup>(device);
+    context.reset(new Context(device, std::move(group), std::move(renderer), options));
+    initTextures(*context);
+  } catch (const std::bad_alloc&) {
+    context.reset();
+  }
+  return context;
+}
+
+// Objects that die with the context may be seen by others of its group until then.
+Context::~Context() {
+  {
+    ShareLock lock(*group);
+    vertexArrays = {};
+    arrayBuffer.reset();
+    units = {};
+    defaultTextures = {};
+  }
+  --group->contexts;
+}
+
+Context* currentContext() {
+  return current();
+}
+
+void makeCurrent(Context* context) {
+  Context* former = currentContextOfThread;
+  if (former == context) return;
+  if (former) flush(*former);
+  currentContextOfThread = context;
+}
+
+void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer) {
+  c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
+  useFramebuffer(c, framebuffer);
+  if (!framebuffer || c.hadFramebuffer) return;
+  c.hadFramebuffer = true;
+  c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};
+  c.state.scissor = c.state.viewport;
+  c.mark(gen::kGroupViewport);
+}
+
+render::Context& rendererOf(Context& c) {
+  return *c.renderer;
+}
+
+void flush(Context& c) {
+  ShareLock lock(*c.group);
+  c.renderer->flush();
+}
+
+void finish(Context& c) {
+  ShareLock lock(*c.group);
+  c.renderer->finish();
+}
+
+}  // namespace anteroom::gl

@@ -1,0 +1,33 @@
+// Section 5.2: hints. They are kept for queries; the layer always draws its best.
+#include "layer/gl/hints.h"
+
+namespace anteroom::gl {
+
+GLenum* hintOf(Context& c, GLenum target) {
+  switch (target) {
+    case GL_PERSPECTIVE_CORRECTION_HINT:
+      return &c.hints.perspectiveCorrection;
+    case GL_POINT_SMOOTH_HINT:
+      return &c.hints.pointSmooth;
+    case GL_LINE_SMOOTH_HINT:
+      return &c.hints.lineSmooth;
+    case GL_FOG_HINT:
+      return &c.hints.fog;
+    case GL_GENERATE_MIPMAP_HINT:
+      return &c.hints.generateMipmap;
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace anteroom::gl
+
+using namespace anteroom::gl;
+
+GL_API void GL_APIENTRY glHint(GLenum target, GLenum mode) {
+  Context* c = current();
+  if (!c) return;
+  GLenum* hint = hintOf(*c, target);
+  if (!hint || mode < GL_DONT_CARE || mode > GL_NICEST) return c->setError(GL_INVALID_ENUM);
+  *hint = mode;
+}

@@ -1,0 +1,224 @@
+// Section 2.12: lights, material, light model, shading, and their queries (6.1.3).
+#include <glm/mat3x3.hpp>
+
+#include "layer/gl/params.h"
+
+using namespace anteroom::gl;
+namespace gen = anteroom::gen;
+
+namespace {
+
+constexpr gen::Groups kLighting = gen::kGroupLighting;
+
+gen::Light* lightOf(Context& c, GLenum light) {
+  const GLenum index = light - GL_LIGHT0;
+  return index < gen::kMaxLights ? &c.state.fixed.lighting.lights[index] : nullptr;
+}
+
+bool inRange(float value, float low, float high) {
+  return value >= low && value <= high;
+}
+
+void setAttenuation(Context& c, float& field, float value) {
+  if (!(value >= 0)) return c.setError(GL_INVALID_VALUE);
+  c.set(field, value, kLighting);
+}
+
+void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& params) {
+  const glm::dmat4& modelview = c.state.fixed.modelview;
+  switch (pname) {
+    case GL_AMBIENT:
+      return c.set(light.ambient, params.vec4(), kLighting);
+    case GL_DIFFUSE:
+      return c.set(light.diffuse, params.vec4(), kLighting);
+    case GL_SPECULAR:
+      return c.set(light.specular, params.vec4(), kLighting);
+    case GL_POSITION:
+      return c.set(light.position, modelview * glm::dvec4(params.vec4()), kLighting);
+    case GL_SPOT_DIRECTION:
+      return c.set(light.spotDirection, glm::dmat3(modelview) * glm::dvec3(params.vec3()), kLighting);
+    default:
+      return c.setError(GL_INVALID_ENUM);
+  }
+}
+
+void setLight(GLenum name, GLenum pname, const Params& params) {
+  Context* c = current();
+  if (!c || params.null()) return;
+  gen::Light* light = lightOf(*c, name);
+  if (!light) return c->setError(GL_INVALID_ENUM);
+  switch (pname) {
+    case GL_SPOT_EXPONENT:
+      if (!inRange(params.number(), 0, 128)) return c->setError(GL_INVALID_VALUE);
+      return c->set(light->spotExponent, params.number(), kLighting);
+    case GL_SPOT_CUTOFF:
+      if (!inRange(params.number(), 0, 90) && params.number() != 180) return c->setError(GL_INVALID_VALUE);
+      return c->set(light->spotCutoff, params.number(), kLighting);
+    case GL_CONSTANT_ATTENUATION:
+      return setAttenuation(*c, light->attenuation.x, params.number());
+    case GL_LINEAR_ATTENUATION:
+      return setAttenuation(*c, light->attenuation.y, params.number());
+    case GL_QUADRATIC_ATTENUATION:
+      return setAttenuation(*c, light->attenuation.z, params.number());
+    default:
+      if (!params.vector()) return c->setError(GL_INVALID_ENUM);
+      return setLightVector(*c, *light, pname, params);
+  }
+}
+
+// Ambient and diffuse cannot be set while they follow the current color (section 2.12.3).
+void setTracked(Context& c, glm::vec4& field, const glm::vec4& value) {
+  if (!c.state.fixed.lighting.colorMaterial) c.set(field, value, kLighting);
+}
+
+void setMaterial(GLenum face, GLenum pname, const Params& params) {
+  Context* c = current();
+  if (!c || params.null()) return;
+  if (face != GL_FRONT_AND_BACK) return c->setError(GL_INVALID_ENUM);
+  gen::Material& material = c->state.fixed.lighting.material;
+  if (pname == GL_SHININESS) {
+    if (!inRange(params.number(), 0, 128)) return c->setError(GL_INVALID_VALUE);
+    return c->set(material.shininess, params.number(), kLighting);
+  }
+  if (!params.vector()) return c->setError(GL_INVALID_ENUM);
+  switch (pname) {
+    case GL_AMBIENT:
+      return setTracked(*c, material.ambient, params.vec4());
+    case GL_DIFFUSE:
+      return setTracked(*c, material.diffuse, params.vec4());
+    case GL_AMBIENT_AND_DIFFUSE:
+      setTracked(*c, material.ambient, params.vec4());
+      return setTracked(*c, material.diffuse, params.vec4());
+    case GL_SPECULAR:
+      return c->set(material.specular, params.vec4(), kLighting);
+    case GL_EMISSION:
+      return c->set(material.emission, params.vec4(), kLighting);
+    default:
+      return c->setError(GL_INVALID_ENUM);
+  }
+}
+
+void setLightModel(GLenum pname, const Params& params) {
+  Context* c = current();
+  if (!c || params.null()) return;
+  if (pname == GL_LIGHT_MODEL_TWO_SIDE) {
+    return c->set(c->state.fixed.lighting.twoSided, params.boolean(), kLighting);
+  }
+  if (pname != GL_LIGHT_MODEL_AMBIENT || !params.vector()) return c->setError(GL_INVALID_ENUM);
+  c->set(c->state.fixed.lighting.modelAmbient, params.vec4(), kLighting);
+}
+
+void getLight(GLenum name, GLenum pname, Results results) {
+  Context* c = current();
+  if (!c) return;
+  const gen::Light* light = lightOf(*c, name);
+  if (!light) return c->setError(GL_INVALID_ENUM);
+  switch (pname) {
+    case GL_AMBIENT:
+      return results.normaliseds(light->ambient);
+    case GL_DIFFUSE:
+      return results.normaliseds(light->diffuse);
+    case GL_SPECULAR:
+      return results.normaliseds(light->specular);
+    case GL_POSITION:
+      return results.numbers(light->position);
+    case GL_SPOT_DIRECTION:
+      return results.numbers(light->spotDirection);
+    case GL_SPOT_EXPONENT:
+      return results.number(light->spotExponent);
+    case GL_SPOT_CUTOFF:
+      return results.number(light->spotCutoff);
+    case GL_CONSTANT_ATTENUATION:
+      return results.number(light->attenuation.x);
+    case GL_LINEAR_ATTENUATION:
+      return results.number(light->attenuation.y);
+    case GL_QUADRATIC_ATTENUATION:
+      return results.number(light->attenuation.z);
+    default:
+      return c->setError(GL_INVALID_ENUM);
+  }
+}
+
+void getMaterial(GLenum face, GLenum pname, Results results) {
+  Context* c = current();
+  if (!c) return;
+  if (face != GL_FRONT && face != GL_BACK) return c->setError(GL_INVALID_ENUM);
+  const gen::Lighting& lighting = c->state.fixed.lighting;
+  const gen::Material& material = lighting.material;
+  const glm::vec4& tracked = c->state.fixed.attributes[gen::kColor].current;
+  switch (pname) {
+    case GL_AMBIENT:
+      return results.normaliseds(lighting.colorMaterial ? tracked : material.ambient);
+    case GL_DIFFUSE:
+      return results.normaliseds(lighting.colorMaterial ? tracked : material.diffuse);
+    case GL_SPECULAR:
+      return results.normaliseds(material.specular);
+    case GL_EMISSION:
+      return results.normaliseds(material.emission);
+    case GL_SHININESS:
+      return results.number(material.shininess);
+    default:
+      return c->setError(GL_INVALID_ENUM);
+  }
+}
+
+}  // namespace
+
+GL_API void GL_APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
+  setLight(light, pname, Params::floats(&param, false));
+}
+GL_API void GL_APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
+  setLight(light, pname, Params::floats(params, true));
+}
+GL_API void GL_APIENTRY glLightx(GLenum light, GLenum pname, GLfixed param) {
+  setLight(light, pname, Params::fixeds(&param, false));
+}
+GL_API void GL_APIENTRY glLightxv(GLenum light, GLenum pname, const GLfixed* params) {
+  setLight(light, pname, Params::fixeds(params, true));
+}
+
+GL_API void GL_APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
+  setMaterial(face, pname, Params::floats(&param, false));
+}
+GL_API void GL_APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
+  setMaterial(face, pname, Params::floats(params, true));
+}
+GL_API void GL_APIENTRY glMaterialx(GLenum face, GLenum pname, GLfixed param) {
+  setMaterial(face, pname, Params::fixeds(&param, false));
+}
+GL_API void GL_APIENTRY glMaterialxv(GLenum face, GLenum pname, const GLfixed* params) {
+  setMaterial(face, pname, Params::fixeds(params, true));
+}
+
+GL_API void GL_APIENTRY glLightModelf(GLenum pname, GLfloat param) {
+  setLightModel(pname, Params::floats(&param, false));
+}
+GL_API void GL_APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
+  setLightModel(pname, Params::floats(params, true));
+}
+GL_API void GL_APIENTRY glLightModelx(GLenum pname, GLfixed param) {
+  setLightModel(pname, Params::fixeds(&param, false));
+}
+GL_API void GL_APIENTRY glLightModelxv(GLenum pname, const GLfixed* params) {
+  setLightModel(pname, Params::fixeds(params, true));
+}
+
+GL_API void GL_APIENTRY glShadeModel(GLenum mode) {
+  Context* c = current();
+  if (!c) return;
+  if (mode != GL_FLAT && mode != GL_SMOOTH) return c->setError(GL_INVALID_ENUM);
+  c->set(c->state.fixed.shadeModel, mode, kLighting);
+}
+
+GL_API void GL_APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
+  if (params) getLight(light, pname, {params, Results::Form::Float});
+}
+GL_API void GL_APIENTRY glGetLightxv(GLenum light, GLenum pname, GLfixed* params) {
+  if (params) getLight(light, pname, {params, Results::Form::Fixed});
+}
+GL_API void GL_APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
+  if (params) getMaterial(face, pname, {params, Results::Form::Float});
+}
+GL_API void GL_APIENTRY glGetMaterialxv(GLenum face, GLenum pname, GLfixed* params) {
+  if (params) getMaterial(face, pname, {params, Results::Form::Fixed});
+}

@@ -1,0 +1,58 @@
+// Section 6.1.5: GetString, and the table of what the layer offers beyond the core.
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "layer/gl/context.h"
+
+using namespace anteroom::gl;
+
+namespace {
+
+// An extension is listed when all of it works.
+constexpr std::array<std::string_view, 9> kExtensions{
+    "GL_OES_byte_coordinates",             // BYTE vertices and texture coordinates
+    "GL_OES_compressed_paletted_texture",  // ten internal formats of CompressedTexImage2D
+    "GL_OES_fixed_point",                  // ...x commands, FIXED arrays
+    "GL_OES_matrix_get",                   // ..._MATRIX_FLOAT_AS_INT_BITS_OES
+    "GL_OES_point_size_array",             // PointSizePointerOES
+    "GL_OES_point_sprite",                 // POINT_SPRITE_OES, COORD_REPLACE_OES
+    "GL_OES_query_matrix",                 // QueryMatrixxOES
+    "GL_OES_read_format",                  // IMPLEMENTATION_COLOR_READ_FORMAT_OES and _TYPE_OES
+    "GL_OES_single_precision",             // ...f commands
+};
+
+std::string join() {
+  std::string joined;
+  for (std::string_view name : kExtensions) {
+    if (!joined.empty()) joined += ' ';
+    joined += name;
+  }
+  return joined;
+}
+
+}  // namespace
+
+GL_API const GLubyte* GL_APIENTRY glGetString(GLenum name) {
+  Context* c = current();
+  if (!c) return nullptr;
+  static const std::string extensions = join();
+  const char* text = nullptr;
+  switch (name) {
+    case GL_VENDOR:
+      text = "Anteroom";
+      break;
+    case GL_RENDERER:
+      text = c->rendererName.c_str();
+      break;
+    case GL_VERSION:
+      text = "OpenGL ES-CM 1.1";
+      break;
+    case GL_EXTENSIONS:
+      text = extensions.c_str();
+      break;
+    default:
+      c->setError(GL_INVALID_ENUM);
+  }
+  return reinterpret_cast<const GLubyte*>(text);
+}
