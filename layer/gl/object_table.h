@@ -62,6 +62,16 @@ class ObjectTable {
     return object;
   }
 
+  template <class F>
+  void forEach(F&& f) const {
+    for (const Slot& slot : dense_) {
+      if (slot.object) f(*slot.object);
+    }
+    for (const auto& [name, slot] : sparse_) {
+      if (slot.object) f(*slot.object);
+    }
+  }
+
  private:
   struct Slot {
     bool used = false;

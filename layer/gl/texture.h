@@ -1,9 +1,9 @@
 // Texture objects (section 3.7): what the program said of each level, and where its texels are.
 //
-// Nothing is allocated on the device until texels are sampled, copied to or attached. Until then a level's texels
-// are kept as the program gave them; then they move into an image that has just the levels which the minification
-// filter can select, and the copy is freed. When more levels are wanted later, the image is replaced by a larger
-// one. Images are shared_ptrs: draws that were issued with an old one are safe.
+// Nothing is allocated on the device until texels are sampled, copied to or attached. Until then a level's
+// texels are kept as the program gave them; then they move into an image that has just the levels which the
+// minification filter can select, and the copy is freed. When more levels are wanted later, the image is
+// replaced by a larger one. Images are shared_ptrs: draws that were issued with an old one are safe.
 #pragma once
 
 #include <GLES/gl.h>
@@ -23,8 +23,8 @@ namespace anteroom::gl {
 struct TextureLevel {
   bool null() const { return width <= 0 || height <= 0; }
 
-  int width = 0, height = 0;   // texels
-  GLenum internalFormat = 1;   // as specified: a base format or a paletted one (section 3.7.10)
+  int width = 0, height = 0;  // texels
+  GLenum internalFormat = 1;  // as specified: a base format or a paletted one (section 3.7.10)
   render::Format format = render::Format::None;
 
   // Where the texels are: at most one of these. Neither: they are undefined, or derived.
@@ -58,20 +58,20 @@ struct Texture {
   // Sampler state or an image changed: every context looks again.
   void changed(Context& c);
 
-  // These change texels; false means out of memory, and that nothing changed. Arguments have been validated. An
-  // image of eglBindTexImage is given back when a level is specified.
+  // These change texels; false means out of memory, and that nothing changed. Arguments have been validated.
+  // An image of eglBindTexImage is given back when a level is specified.
 
   // TexImage2D; rows.data null: undefined texels.
   bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
                const PixelRows& rows);
-  // The same with texels in memory that the texture takes over: never fails.
-  void specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+  // The same with texels that the texture takes over: rows of `format` without gaps, or null.
+  bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
                render::Format format, std::unique_ptr<std::byte[]> texels);
   // TexSubImage2D.
   bool replace(Context& c, int face, int level, const render::Rect& rect, const PixelRows& rows);
   // CopyTexImage2D: the rectangle of the current framebuffer whose lower left corner is (rect.x, rect.y).
-  bool specifyFromFramebuffer(Context& c, int face, int level, const render::Rect& rect, GLenum internalFormat,
-                              render::Format format);
+  bool specifyFromFramebuffer(Context& c, int face, int level, const render::Rect& rect,
+                              GLenum internalFormat, render::Format format);
   // CopyTexSubImage2D: to texel (x, y).
   bool replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const render::Rect& rect);
 
@@ -80,8 +80,8 @@ struct Texture {
   bool imported(const std::shared_ptr<render::Image>& image) const { return image && import_ == image; }
   void releaseImport(Context& c);
 
-  // Section 3.7.9 and OES_texture_cube_map: whether texturing with it is on at all. baseFormat() then says what its
-  // texels are.
+  // Section 3.7.9 and OES_texture_cube_map: whether texturing with it is on at all. baseFormat() then says
+  // what its texels are.
   bool complete() const;
   GLenum baseFormat() const { return baseFormatOf(at(0, 0).internalFormat); }
 
@@ -101,28 +101,31 @@ struct Texture {
 
   size_t index(int face, int level) const { return static_cast<size_t>(face * levels() + level); }
   TextureLevel& edit(int face, int level) { return levels_[index(face, level)]; }
-  int layerOf(const render::Image& image, int face) const;
 
   bool usesMipmaps() const;
-  int chainLength() const;  // levels of a full mipmap over level 0
+  int chainLength(int width, int height) const;  // levels of a full mipmap
   bool chainComplete(int face) const;
+  bool derives(GLenum internalFormat) const;
+  bool hasDerived(int face) const;
+  bool keepDerived(Context& c, int face, GLenum newInternalFormat);
+  void baseChanged(Context& c, int face);
 
-  // texture_storage.cpp
-  std::shared_ptr<render::Image> createImage(Context& c, render::Dimension dimension, render::Format format,
-                                             int width, int height, int levels) const;
-  bool holds(const render::Image& image, render::Format format, int width, int height, int level) const;
+  // texture_storage.cpp. All but the first two: false, or no image, when out of memory.
+  Place placeOf(int face, int level) const;
+  bool usable(const std::shared_ptr<render::Image>& image, render::Format format, int width, int height,
+              int level) const;
+  std::shared_ptr<render::Image> createImage(Context& c, render::Format format, int width, int height,
+                                             int levels) const;
   render::Format commonFormat(int levelCount) const;
   bool copyTexels(Context& c, int face, int level, const Place& to) const;
   bool move(Context& c, int face, int level, const std::shared_ptr<render::Image>& to, int toLevel);
-  bool moveLevel(Context& c, int level, const std::shared_ptr<render::Image>& to);
+  bool moveFaces(Context& c, int level, const std::shared_ptr<render::Image>& to);
+  bool deriveInto(Context& c, const std::shared_ptr<render::Image>& image);
+  bool settle(Context& c, int face);
   bool realise(Context& c, int levelCount);
   bool reside(Context& c, int face, int level);
-  bool settle(Context& c, int face);
-  bool beforeBaseChanges(Context& c, int face, int level);
-  bool hasDerived(int face) const;
-  void derive(Context& c, int face);
 
-  std::vector<TextureLevel> levels_;  // by face, then level
+  std::vector<TextureLevel> levels_;       // by face, then level
   std::shared_ptr<render::Image> image_;   // what is sampled, or was
   std::shared_ptr<render::Image> import_;  // image_ belongs to EGL
   bool ready_ = false;                     // image_ has what the sampler can select
@@ -131,8 +134,8 @@ struct Texture {
 // Makes the default textures (name 0) and binds them to every unit. May throw std::bad_alloc.
 void initTextures(Context& c);
 
-// From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i] (section 3.7.13).
-// Called by a draw under the ShareLock, when kGroupTextures is marked.
+// From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i]
+// (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures is marked.
 void resolveTextureUnits(Context& c);
 
 // The slot of a binding target, and of a target that names an image. kSlotCount: none.

@@ -1,0 +1,271 @@
+// What a texture's levels are: specification, completeness, automatic mipmaps (sections 3.7.1 to 3.7.9).
+#include "layer/gl/texture.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <new>
+
+#include "layer/gl/paletted.h"
+#include "layer/gl/texture_upload.h"
+
+namespace anteroom::gl {
+
+using render::Format;
+using render::Rect;
+
+namespace {
+
+int log2Floor(int value) {
+  return std::bit_width(static_cast<unsigned>(value)) - 1;
+}
+
+int levelCountFor(TextureSlot slot, const render::Caps& caps) {
+  switch (slot) {
+    case kSlot2D:
+      return log2Floor(std::max(caps.maxTextureSize, 1)) + 1;
+    case kSlotCube:
+      return log2Floor(std::max(caps.maxCubeMapSize, 1)) + 1;
+    default:
+      return log2Floor(std::max(caps.maxVolumeSize, 1)) + 1;
+  }
+}
+
+}  // namespace
+
+GLenum baseFormatOf(GLenum internalFormat) {
+  const PalettedFormat paletted = palettedFormat(internalFormat);
+  return paletted.indexBits ? pixelFormatOf(paletted.entry).format : internalFormat;
+}
+
+std::unique_ptr<std::byte[]> allocateTexels(int width, int height, Format format, bool zeroed) {
+  const size_t bytes = rowPitch(width, format, 1) * static_cast<size_t>(height);
+  std::byte* texels = zeroed ? new (std::nothrow) std::byte[bytes]() : new (std::nothrow) std::byte[bytes];
+  return std::unique_ptr<std::byte[]>(texels);
+}
+
+Texture::Texture(GLuint textureName, TextureSlot textureSlot, const render::Caps& caps)
+    : name(textureName), slot(textureSlot), levels_() {
+  levels_.resize(static_cast<size_t>(faces() * levelCountFor(slot, caps)));
+}
+
+void Texture::changed(Context& c) {
+  ready_ = false;
+  c.group->textureVersion.fetch_add(1, std::memory_order_relaxed);
+}
+
+// --- specification
+
+bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+                      const PixelRows& rows) {
+  TextureLevel& t = edit(face, level);
+  const bool empty = width == 0 || height == 0;
+  const bool inPlace = !import_ && t.home && t.width == width && t.height == height &&
+                       t.format == rows.format && t.internalFormat == internalFormat;
+  if (!inPlace) {
+    std::unique_ptr<std::byte[]> texels;
+    if (rows.data && !empty) {
+      texels = allocateTexels(width, height, rows.format, false);
+      if (!texels) return false;
+      convertRows(rows, width, height, rows.format, texels.get(), rowPitch(width, rows.format, 1));
+    }
+    return specify(c, face, level, width, height, internalFormat, rows.format, std::move(texels));
+  }
+  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+  if (rows.data) {
+    const Place place = placeOf(face, level);
+    if (!upload(c, *place.image, {place.level, place.layer, 0, 0, 0, width, height, 1}, rows)) return false;
+  }
+  if (level == 0) baseChanged(c, face);
+  return true;
+}
+
+bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+                      Format format, std::unique_ptr<std::byte[]> texels) {
+  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+  releaseImport(c);
+  TextureLevel specified;
+  specified.width = width;
+  specified.height = height;
+  specified.internalFormat = internalFormat;
+  specified.format = format;
+  specified.pending = std::move(texels);
+  edit(face, level) = std::move(specified);
+  changed(c);
+  if (level == 0) baseChanged(c, face);
+  return true;
+}
+
+bool Texture::replace(Context& c, int face, int level, const Rect& rect, const PixelRows& rows) {
+  if (rect.width == 0 || rect.height == 0 || !rows.data) return true;
+  TextureLevel& t = edit(face, level);
+  if (t.derived && !settle(c, face)) return false;
+  if (level == 0 && !keepDerived(c, face, t.internalFormat)) return false;
+  if (t.home) {
+    const Place place = placeOf(face, level);
+    const render::Region region{place.level, place.layer, rect.x, rect.y, 0, rect.width, rect.height, 1};
+    if (!upload(c, *place.image, region, rows)) return false;
+  } else {
+    const bool all = rect.width == t.width && rect.height == t.height;
+    if (!t.pending) t.pending = allocateTexels(t.width, t.height, t.format, !all);
+    if (!t.pending) return false;
+    const size_t pitch = rowPitch(t.width, t.format, 1);
+    const size_t offset =
+        static_cast<size_t>(rect.y) * pitch + static_cast<size_t>(rect.x) * render::info(t.format).bytes;
+    convertRows(rows, rect.width, rect.height, t.format, t.pending.get() + offset, pitch);
+  }
+  if (level == 0) baseChanged(c, face);
+  return true;
+}
+
+bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect& rect, GLenum internalFormat,
+                                     Format format) {
+  const render::Framebuffer& source = c.state.framebuffer;
+  const int width = rect.width, height = rect.height;
+  if (width == 0 || height == 0)
+    return specify(c, face, level, width, height, internalFormat, format, nullptr);
+  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+
+  const TextureLevel& old = at(face, level);
+  Place place;
+  bool fresh = false;
+  if (!import_ && old.home && old.width == width && old.height == height &&
+      old.home->desc().format == format) {
+    place = placeOf(face, level);
+  } else if (!import_ && !hasDerived(face) && usable(image_, format, width, height, level)) {
+    place = {image_, level, face};
+  } else {
+    const bool mipmaps = level == 0 && generateMipmap && usesMipmaps();
+    place = {createImage(c, format, width, height, mipmaps ? chainLength(width, height) : 1), 0, face};
+    fresh = true;
+  }
+  if (!place.image) return false;
+  const render::Region region{place.level, place.layer, 0, 0, 0, width, height, 1};
+  if (fresh && !covers(source, rect) && !clear(c, *place.image, region)) return false;
+  if (!c.renderer->copyFromFramebuffer(*place.image, region, source, rect.x, rect.y)) return false;
+
+  releaseImport(c);
+  TextureLevel specified;
+  specified.width = width;
+  specified.height = height;
+  specified.internalFormat = internalFormat;
+  specified.format = format;
+  specified.home = place.image;
+  specified.homeLevel = place.level;
+  edit(face, level) = std::move(specified);
+  if (level == 0) image_ = place.image;
+  changed(c);
+  if (level == 0) baseChanged(c, face);
+  return true;
+}
+
+bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const Rect& rect) {
+  if (rect.width == 0 || rect.height == 0) return true;
+  if (level == 0 && !keepDerived(c, face, at(face, 0).internalFormat)) return false;
+  if (!reside(c, face, level)) return false;
+  const Place place = placeOf(face, level);
+  const render::Region region{place.level, place.layer, x, y, 0, rect.width, rect.height, 1};
+  if (!c.renderer->copyFromFramebuffer(*place.image, region, c.state.framebuffer, rect.x, rect.y))
+    return false;
+  if (level == 0) baseChanged(c, face);
+  return true;
+}
+
+// --- images of EGL
+
+void Texture::import(Context& c, const std::shared_ptr<render::Image>& image, GLenum internalFormat) {
+  for (TextureLevel& t : levels_) t = TextureLevel{};
+  TextureLevel& base = edit(0, 0);
+  base.width = image->desc().width;
+  base.height = image->desc().height;
+  base.internalFormat = internalFormat;
+  base.format = image->desc().format;
+  base.home = image;
+  image_ = import_ = image;
+  changed(c);
+  baseChanged(c, 0);
+}
+
+// EGL 1.5, 3.6.2: levels that the color buffer defined become null.
+void Texture::releaseImport(Context& c) {
+  if (!import_) return;
+  for (TextureLevel& t : levels_) {
+    if (t.home == import_) t = TextureLevel{};
+  }
+  image_ = import_ = nullptr;
+  changed(c);
+}
+
+// --- completeness
+
+bool Texture::usesMipmaps() const {
+  return sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR;
+}
+
+int Texture::chainLength(int width, int height) const {
+  return std::min(log2Floor(std::max({width, height, 1})) + 1, levels());
+}
+
+bool Texture::chainComplete(int face) const {
+  const TextureLevel& base = at(face, 0);
+  const int length = chainLength(base.width, base.height);
+  for (int level = 1; level < length; ++level) {
+    const TextureLevel& t = at(face, level);
+    if (t.internalFormat != base.internalFormat || t.width != std::max(base.width >> level, 1) ||
+        t.height != std::max(base.height >> level, 1)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Texture::complete() const {
+  if (ready_) return true;
+  const TextureLevel& base = at(0, 0);
+  if (base.null()) return false;
+  for (int face = 0; face < faces(); ++face) {
+    const TextureLevel& t = at(face, 0);
+    if (slot == kSlotCube && t.width != t.height) return false;
+    if (t.width != base.width || t.height != base.height || t.internalFormat != base.internalFormat)
+      return false;
+    if (usesMipmaps() && !chainComplete(face)) return false;
+  }
+  return true;
+}
+
+// --- automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
+
+bool Texture::derives(GLenum internalFormat) const {
+  return generateMipmap && !isPaletted(internalFormat);
+}
+
+bool Texture::hasDerived(int face) const {
+  for (int level = 1; level < levels(); ++level) {
+    if (at(face, level).derived) return true;
+  }
+  return false;
+}
+
+// Before the base level changes: derived levels are computed from it now, unless they will be derived anew.
+bool Texture::keepDerived(Context& c, int face, GLenum newInternalFormat) {
+  return derives(newInternalFormat) || !hasDerived(face) || settle(c, face);
+}
+
+void Texture::baseChanged(Context& c, int face) {
+  const TextureLevel& base = at(face, 0);
+  if (base.null() || !derives(base.internalFormat)) return;
+  const int length = chainLength(base.width, base.height);
+  if (import_ && import_->desc().levels < length) return;  // EGL_MIPMAP_TEXTURE is off
+  for (int level = 1; level < length; ++level) {
+    TextureLevel derived;
+    derived.width = std::max(base.width >> level, 1);
+    derived.height = std::max(base.height >> level, 1);
+    derived.internalFormat = base.internalFormat;
+    derived.format = base.format;
+    derived.derived = true;
+    edit(face, level) = std::move(derived);
+  }
+  changed(c);
+}
+
+}  // namespace anteroom::gl

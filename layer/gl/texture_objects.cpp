@@ -1,0 +1,153 @@
+// Texture names and bindings (section 3.7.11), images of EGL, and what a draw samples (section 3.7.13).
+#include <new>
+
+#include "layer/gl/texture.h"
+
+namespace anteroom::gl {
+namespace {
+
+struct Target {
+  TextureSlot slot;
+  gen::TextureTarget target;
+};
+
+// OES_texture_cube_map: when both are enabled, the cube map is used, and when it is not complete the unit is
+// off.
+constexpr Target kByPriority[] = {
+    {kSlotCube, gen::TextureTarget::CubeMap},
+    {kSlot2D, gen::TextureTarget::Texture2D},
+};
+
+void bind(Context& c, UnitBindings& unit, TextureSlot slot, std::shared_ptr<Texture> texture) {
+  if (unit.bound[slot] == texture) return;
+  unit.bound[slot] = std::move(texture);
+  if (unit.enabled[slot]) c.mark(gen::kGroupTextures);
+}
+
+void resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
+                 render::TextureBinding& binding) {
+  fixed.target = gen::TextureTarget::None;
+  binding.image = nullptr;
+  for (const Target& candidate : kByPriority) {
+    if (!unit.enabled[candidate.slot]) continue;
+    Texture& texture = *unit.bound[candidate.slot];
+    if (!texture.complete()) return;
+    binding.image = texture.sampled(c).get();
+    if (!binding.image) return c.setError(GL_OUT_OF_MEMORY);
+    binding.sampler = texture.sampler;
+    fixed.target = candidate.target;
+    fixed.baseFormat = texture.baseFormat();
+    return;
+  }
+}
+
+}  // namespace
+
+TextureSlot bindingSlot(GLenum target) {
+  switch (target) {
+    case GL_TEXTURE_2D:
+      return kSlot2D;
+    case GL_TEXTURE_CUBE_MAP_OES:
+      return kSlotCube;
+    default:
+      return kSlotCount;
+  }
+}
+
+ImageTarget imageTarget(GLenum target) {
+  if (target == GL_TEXTURE_2D) return {kSlot2D, 0};
+  if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z_OES) {
+    return {kSlotCube, static_cast<int>(target - GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES)};
+  }
+  return {};
+}
+
+void initTextures(Context& c) {
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    const auto at = static_cast<size_t>(slot);
+    c.defaultTextures[at] = std::make_shared<Texture>(0, static_cast<TextureSlot>(slot), c.device.caps());
+    for (UnitBindings& unit : c.units) unit.bound[at] = c.defaultTextures[at];
+  }
+}
+
+void resolveTextureUnits(Context& c) {
+  for (size_t i = 0; i < c.units.size(); ++i) {
+    resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]);
+  }
+  c.seenTextureVersion = c.group->textureVersion.load(std::memory_order_relaxed);
+}
+
+bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {
+  if (target != GL_TEXTURE_2D || !image || image->desc().dimension != render::Dimension::Flat) return false;
+  ShareLock lock(*c.group);
+  boundTexture(c, kSlot2D).import(c, image, alpha ? GL_RGBA : GL_RGB);
+  return true;
+}
+
+void releaseTexImage(Context& c, const std::shared_ptr<render::Image>& image) {
+  ShareLock lock(*c.group);
+  const auto release = [&](Texture& texture) {
+    if (texture.imported(image)) texture.releaseImport(c);
+  };
+  c.group->textures.forEach(release);
+  for (const std::shared_ptr<Texture>& texture : c.defaultTextures) release(*texture);
+}
+
+}  // namespace anteroom::gl
+
+using namespace anteroom::gl;
+
+GL_API void GL_APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (!textures) return;
+  ShareLock lock(*c->group);
+  if (!c->group->textures.reserve(n, textures)) c->setError(GL_OUT_OF_MEMORY);
+}
+
+GL_API void GL_APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (!textures) return;
+  ShareLock lock(*c->group);
+  for (GLsizei i = 0; i < n; ++i) {
+    if (textures[i] == 0) continue;
+    const std::shared_ptr<Texture> texture = c->group->textures.remove(textures[i]);
+    if (!texture) continue;
+    const TextureSlot slot = texture->slot;
+    for (UnitBindings& unit : c->units) {
+      if (unit.bound[slot] == texture) bind(*c, unit, slot, c->defaultTextures[slot]);
+    }
+  }
+}
+
+GL_API GLboolean GL_APIENTRY glIsTexture(GLuint texture) {
+  Context* c = current();
+  if (!c || texture == 0) return GL_FALSE;
+  ShareLock lock(*c->group);
+  return c->group->textures.find(texture) ? GL_TRUE : GL_FALSE;
+}
+
+GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  UnitBindings& unit = c->units[static_cast<size_t>(c->activeTexture)];
+  ShareLock lock(*c->group);
+  if (name == 0) return bind(*c, unit, slot, c->defaultTextures[slot]);
+
+  std::shared_ptr<Texture> texture = c->group->textures.find(name);
+  if (!texture) {
+    try {
+      texture = std::make_shared<Texture>(name, slot, c->device.caps());
+    } catch (const std::bad_alloc&) {
+      return c->setError(GL_OUT_OF_MEMORY);
+    }
+    if (!c->group->textures.put(name, texture)) return c->setError(GL_OUT_OF_MEMORY);
+  }
+  if (texture->slot != slot) return c->setError(GL_INVALID_OPERATION);
+  bind(*c, unit, slot, std::move(texture));
+}

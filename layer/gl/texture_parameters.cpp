@@ -1,0 +1,135 @@
+// TexParameter and its queries (sections 3.7.5, 6.1.3).
+#include "layer/gl/params.h"
+#include "layer/gl/texture.h"
+
+using namespace anteroom::gl;
+namespace render = anteroom::render;
+
+namespace {
+
+bool isMinFilter(GLenum value) {
+  return value == GL_NEAREST || value == GL_LINEAR ||
+         (value >= GL_NEAREST_MIPMAP_NEAREST && value <= GL_LINEAR_MIPMAP_LINEAR);
+}
+bool isMagFilter(GLenum value) {
+  return value == GL_NEAREST || value == GL_LINEAR;
+}
+bool isWrapMode(GLenum value) {
+  return value == GL_REPEAT || value == GL_CLAMP_TO_EDGE || value == GL_MIRRORED_REPEAT_OES;
+}
+
+void assign(Context& c, Texture& texture, GLenum& field, GLenum value, bool legal) {
+  if (!legal) return c.setError(GL_INVALID_ENUM);
+  if (field == value) return;
+  field = value;
+  texture.changed(c);
+}
+
+// Parameters of one value.
+void setParameter(GLenum target, GLenum pname, const Params& params) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (params.null()) return;
+  ShareLock lock(*c->group);
+  Texture& texture = boundTexture(*c, slot);
+  render::Sampler& sampler = texture.sampler;
+  const GLenum value = params.enumerant();
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER:
+      return assign(*c, texture, sampler.minFilter, value, isMinFilter(value));
+    case GL_TEXTURE_MAG_FILTER:
+      return assign(*c, texture, sampler.magFilter, value, isMagFilter(value));
+    case GL_TEXTURE_WRAP_S:
+      return assign(*c, texture, sampler.wrapS, value, isWrapMode(value));
+    case GL_TEXTURE_WRAP_T:
+      return assign(*c, texture, sampler.wrapT, value, isWrapMode(value));
+    case GL_GENERATE_MIPMAP:
+      texture.generateMipmap = params.boolean();
+      return;
+    default:
+      c->setError(GL_INVALID_ENUM);
+  }
+}
+
+// Vector commands take the crop rectangle too; `toInt` reads a coordinate (OES_draw_texture).
+template <class T, class ToInt>
+void setParameters(GLenum target, GLenum pname, const Params& params, const T* values, ToInt toInt) {
+  if (pname != GL_TEXTURE_CROP_RECT_OES) return setParameter(target, pname, params);
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (!values) return;
+  ShareLock lock(*c->group);
+  for (size_t i = 0; i < 4; ++i) boundTexture(*c, slot).cropRect[i] = toInt(values[i]);
+}
+
+void getParameter(GLenum target, GLenum pname, void* params, Results::Form form) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (!params) return;
+  ShareLock lock(*c->group);
+  const Texture& texture = boundTexture(*c, slot);
+  Results results(params, form);
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER:
+      return results.enumerant(texture.sampler.minFilter);
+    case GL_TEXTURE_MAG_FILTER:
+      return results.enumerant(texture.sampler.magFilter);
+    case GL_TEXTURE_WRAP_S:
+      return results.enumerant(texture.sampler.wrapS);
+    case GL_TEXTURE_WRAP_T:
+      return results.enumerant(texture.sampler.wrapT);
+    // Not scaled in fixed point, like the value that sets it.
+    case GL_GENERATE_MIPMAP:
+      return results.enumerant(texture.generateMipmap ? GL_TRUE : GL_FALSE);
+    case GL_TEXTURE_CROP_RECT_OES:
+      for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
+      return;
+    default:
+      c->setError(GL_INVALID_ENUM);
+  }
+}
+
+}  // namespace
+
+GL_API void GL_APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
+  setParameter(target, pname, Params::floats(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameterx(GLenum target, GLenum pname, GLfixed param) {
+  setParameter(target, pname, Params::fixeds(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
+  setParameter(target, pname, Params::integers(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
+  setParameters(target, pname, Params::floats(params, true), params, [](GLfloat v) { return roundToInt(v); });
+}
+
+GL_API void GL_APIENTRY glTexParameterxv(GLenum target, GLenum pname, const GLfixed* params) {
+  setParameters(target, pname, Params::fixeds(params, true), params,
+                [](GLfixed v) { return roundToInt(fixedToDouble(v)); });
+}
+
+GL_API void GL_APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
+  setParameters(target, pname, Params::integers(params, true), params, [](GLint v) { return v; });
+}
+
+GL_API void GL_APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
+  getParameter(target, pname, params, Results::Form::Float);
+}
+
+GL_API void GL_APIENTRY glGetTexParameterxv(GLenum target, GLenum pname, GLfixed* params) {
+  getParameter(target, pname, params, Results::Form::Fixed);
+}
+
+GL_API void GL_APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
+  getParameter(target, pname, params, Results::Form::Integer);
+}
