@@ -1,0 +1,228 @@
+#include "layer/egl/config.h"
+
+#include <algorithm>
+#include <climits>
+#include <optional>
+
+#include "layer/egl/display.h"
+#include "layer/egl/errors.h"
+
+namespace anteroom::egl {
+namespace {
+
+using render::Format;
+
+bool isRenderable(const render::Caps& caps, Format format) {
+  return caps.renderable[static_cast<int>(format)];
+}
+
+std::optional<Format> firstRenderable(const render::Caps& caps, std::initializer_list<Format> formats) {
+  for (Format format : formats) {
+    if (isRenderable(caps, format)) return format;
+  }
+  return std::nullopt;
+}
+
+// The images behind depth and stencil bits. False: the device cannot have them.
+bool chooseDepthStencil(const render::Caps& caps, Config& config) {
+  std::optional<Format> depth = Format::None, stencil = Format::None;
+  if (config.depthBits != 0 && config.stencilBits != 0) {
+    depth = stencil = firstRenderable(caps, {Format::Depth24Stencil8});
+  } else if (config.depthBits == 16) {
+    depth = firstRenderable(caps, {Format::Depth16, Format::Depth24, Format::Depth24Stencil8});
+  } else if (config.depthBits == 24) {
+    depth = firstRenderable(caps, {Format::Depth24, Format::Depth24Stencil8});
+  } else if (config.stencilBits != 0) {
+    stencil = firstRenderable(caps, {Format::Stencil8, Format::Depth24Stencil8});
+  }
+  if (!depth || !stencil) return false;
+  config.depth = *depth;
+  config.stencil = *stencil;
+  return true;
+}
+
+EGLint surfaceTypes(const Config& config) {
+  return EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT |
+         (config.samples != 0 ? EGL_MULTISAMPLE_RESOLVE_BOX_BIT : 0);
+}
+
+}  // namespace
+
+bool Config::query(EGLint attribute, EGLint& value) const {
+  const render::FormatInfo& bits = render::info(color);
+  switch (attribute) {
+    case EGL_BUFFER_SIZE:
+      value = bits.red + bits.green + bits.blue + bits.alpha;
+      return true;
+    case EGL_RED_SIZE:
+      value = bits.red;
+      return true;
+    case EGL_GREEN_SIZE:
+      value = bits.green;
+      return true;
+    case EGL_BLUE_SIZE:
+      value = bits.blue;
+      return true;
+    case EGL_ALPHA_SIZE:
+      value = bits.alpha;
+      return true;
+    case EGL_LUMINANCE_SIZE:
+      value = 0;
+      return true;
+    case EGL_ALPHA_MASK_SIZE:
+      value = 0;
+      return true;
+    case EGL_BIND_TO_TEXTURE_RGB:
+      value = samples == 0;
+      return true;
+    case EGL_BIND_TO_TEXTURE_RGBA:
+      value = samples == 0 && bits.alpha != 0;
+      return true;
+    case EGL_COLOR_BUFFER_TYPE:
+      value = EGL_RGB_BUFFER;
+      return true;
+    case EGL_CONFIG_CAVEAT:
+      value = EGL_NONE;
+      return true;
+    case EGL_CONFIG_ID:
+      value = id;
+      return true;
+    case EGL_CONFORMANT:
+      value = EGL_OPENGL_ES_BIT;
+      return true;
+    case EGL_DEPTH_SIZE:
+      value = depthBits;
+      return true;
+    case EGL_LEVEL:
+      value = 0;
+      return true;
+    case EGL_MAX_PBUFFER_WIDTH:
+      value = maxWidth;
+      return true;
+    case EGL_MAX_PBUFFER_HEIGHT:
+      value = maxHeight;
+      return true;
+    case EGL_MAX_PBUFFER_PIXELS:
+      value = static_cast<EGLint>(std::min<int64_t>(int64_t{maxWidth} * maxHeight, INT_MAX));
+      return true;
+    case EGL_MAX_SWAP_INTERVAL:
+      value = 1;
+      return true;
+    case EGL_MIN_SWAP_INTERVAL:
+      value = 0;
+      return true;
+    case EGL_NATIVE_RENDERABLE:
+      value = EGL_FALSE;
+      return true;
+    case EGL_NATIVE_VISUAL_ID:
+      value = 0;
+      return true;
+    case EGL_NATIVE_VISUAL_TYPE:
+      value = EGL_NONE;
+      return true;
+    case EGL_RENDERABLE_TYPE:
+      value = EGL_OPENGL_ES_BIT;
+      return true;
+    case EGL_SAMPLE_BUFFERS:
+      value = samples != 0;
+      return true;
+    case EGL_SAMPLES:
+      value = samples;
+      return true;
+    case EGL_STENCIL_SIZE:
+      value = stencilBits;
+      return true;
+    case EGL_SURFACE_TYPE:
+      value = surfaceTypes(*this);
+      return true;
+    case EGL_TRANSPARENT_TYPE:
+      value = EGL_NONE;
+      return true;
+    case EGL_TRANSPARENT_RED_VALUE:
+    case EGL_TRANSPARENT_GREEN_VALUE:
+    case EGL_TRANSPARENT_BLUE_VALUE:
+      value = 0;
+      return true;
+    default:
+      return false;
+  }
+}
+
+EGLint Config::get(EGLint attribute) const {
+  EGLint value = 0;
+  query(attribute, value);
+  return value;
+}
+
+std::vector<Config> makeConfigs(const render::Caps& caps) {
+  std::vector<Config> configs;
+  for (Format color : {Format::RGBA8, Format::RGB8, Format::RGB565, Format::RGBA5551, Format::RGBA4444}) {
+    if (!isRenderable(caps, color)) continue;
+    for (EGLint samples : {0, 4}) {
+      if (samples > caps.maxSamples) continue;
+      for (EGLint depthBits : {0, 16, 24}) {
+        for (EGLint stencilBits : {0, 8}) {
+          Config config;
+          config.color = color;
+          config.depthBits = depthBits;
+          config.stencilBits = stencilBits;
+          config.samples = samples;
+          config.maxWidth = std::min(caps.maxTextureSize, caps.maxViewport[0]);
+          config.maxHeight = std::min(caps.maxTextureSize, caps.maxViewport[1]);
+          if (!chooseDepthStencil(caps, config)) continue;
+          config.id = static_cast<EGLint>(configs.size()) + 1;
+          configs.push_back(config);
+        }
+      }
+    }
+  }
+  return configs;
+}
+
+namespace {
+
+template <typename Get>
+void returnConfigs(size_t count, Get get, EGLConfig* configs, EGLint configSize, EGLint* numConfig) {
+  if (configs != nullptr) {
+    count = std::min(count, static_cast<size_t>(std::max(configSize, 0)));
+    for (size_t i = 0; i < count; ++i) configs[i] = get(i).handle();
+  }
+  *numConfig = static_cast<EGLint>(count);
+}
+
+}  // namespace
+}  // namespace anteroom::egl
+
+using namespace anteroom::egl;
+
+EGLBoolean EGLAPIENTRY eglGetConfigs(EGLDisplay dpy, EGLConfig* configs, EGLint config_size,
+                                     EGLint* num_config) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    const std::vector<Config>& all = initializedDisplay(dpy).configs();
+    require(num_config != nullptr, EGL_BAD_PARAMETER);
+    returnConfigs(
+        all.size(), [&](size_t i) { return all[i]; }, configs, config_size, num_config);
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglChooseConfig(EGLDisplay dpy, const EGLint* attrib_list, EGLConfig* configs,
+                                       EGLint config_size, EGLint* num_config) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    const Display& display = initializedDisplay(dpy);
+    require(num_config != nullptr, EGL_BAD_PARAMETER);
+    const auto chosen = chooseConfigs(display.configs(), attrib_list);
+    returnConfigs(
+        chosen.size(), [&](size_t i) { return *chosen[i]; }, configs, config_size, num_config);
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglGetConfigAttrib(EGLDisplay dpy, EGLConfig config, EGLint attribute, EGLint* value) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    const Config& found = initializedDisplay(dpy).config(config);
+    require(value != nullptr, EGL_BAD_PARAMETER);
+    require(found.query(attribute, *value), EGL_BAD_ATTRIBUTE);
+    return EGL_TRUE;
+  });
+}

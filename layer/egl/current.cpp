@@ -1,0 +1,175 @@
+#include "layer/egl/current.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "layer/egl/display.h"
+#include "layer/egl/errors.h"
+
+namespace anteroom::egl {
+namespace {
+
+constinit thread_local Thread thread{EGL_SUCCESS, EGL_OPENGL_ES_API, nullptr};
+
+// Drops what is current. Deferred destruction happens here.
+void release() {
+  const std::unique_ptr<Binding> former(std::exchange(thread.binding, nullptr));
+  if (former == nullptr) return;
+  gl::setDefaultFramebuffer(*former->context->gl, nullptr);
+  gl::makeCurrent(nullptr);
+  former->context->thread = nullptr;
+  for (const auto& surface : {former->draw, former->read}) {
+    if (surface != nullptr) surface->thread = nullptr;
+  }
+}
+
+// A thread that ends with a current context gives it back.
+struct ThreadEnd {
+  ~ThreadEnd() {
+    // The process ends with its first thread: the context may be needed by functions registered with atexit.
+    if (thread.binding == nullptr || gettid() == getpid()) return;
+    const Lock lock(mutex());
+    release();
+  }
+};
+
+// Throws EGL_BAD_ACCESS.
+template <typename Object>
+void requireFree(const Object& object) {
+  require(object == nullptr || object->thread == nullptr || object->thread == &thread, EGL_BAD_ACCESS);
+}
+
+// Section 2.2: no two configs have buffers of the same depths, so that to be compatible is to have the same
+// one.
+bool isCompatible(const Context& context, const Surface& surface) {
+  return !context.config || context.config->id == surface.config.id;
+}
+
+Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EGLContext context) {
+  Binding next;
+  if (context != EGL_NO_CONTEXT) next.context = display.context(context);
+  if (draw != EGL_NO_SURFACE) next.draw = display.surface(draw);
+  if (read != EGL_NO_SURFACE) next.read = display.surface(read);
+  require(next.context != nullptr && !next.draw == !next.read, EGL_BAD_MATCH);
+  for (const auto& surface : {next.draw, next.read}) {
+    require(surface == nullptr || isCompatible(*next.context, *surface), EGL_BAD_MATCH);
+  }
+  requireFree(next.context);
+  requireFree(next.draw);
+  requireFree(next.read);
+  for (const auto& surface : {next.draw, next.read}) {
+    require(surface == nullptr || surface->allocate(), EGL_BAD_ALLOC);
+  }
+  return next;
+}
+
+void bind(Binding next) {
+  thread_local ThreadEnd end;
+  static_cast<void>(end);
+  auto binding = std::make_unique<Binding>(std::move(next));
+  if (thread.binding != nullptr && thread.binding->context != binding->context) {
+    release();
+  } else if (thread.binding != nullptr) {
+    // The former binding is flushed, too, when only the surfaces change.
+    gl::flush(*binding->context->gl);
+    for (const auto& surface : {thread.binding->draw, thread.binding->read}) {
+      if (surface != nullptr) surface->thread = nullptr;
+    }
+  }
+  gl::makeCurrent(binding->context->gl.get());
+  gl::setDefaultFramebuffer(*binding->context->gl, binding->draw ? &binding->draw->framebuffer() : nullptr);
+  binding->context->thread = &thread;
+  for (const auto& surface : {binding->draw, binding->read}) {
+    if (surface != nullptr) surface->thread = &thread;
+  }
+  if (binding->draw != nullptr) binding->draw->drawnBy = binding->context;
+  const std::unique_ptr<Binding> former(std::exchange(thread.binding, binding.release()));
+}
+
+}  // namespace
+
+Thread& thisThread() {
+  return thread;
+}
+
+}  // namespace anteroom::egl
+
+using namespace anteroom;
+using namespace anteroom::egl;
+
+EGLBoolean EGLAPIENTRY eglMakeCurrent(EGLDisplay dpy, EGLSurface draw, EGLSurface read, EGLContext ctx) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    const Display& display = displayOf(dpy);
+    if (ctx == EGL_NO_CONTEXT && draw == EGL_NO_SURFACE && read == EGL_NO_SURFACE) {
+      release();  // the one case that an uninitialized display allows
+      return EGL_TRUE;
+    }
+    require(display.initialized(), EGL_NOT_INITIALIZED);
+    bind(findBinding(display, draw, read, ctx));
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglReleaseThread() {
+  return command<EGLBoolean>(EGL_FALSE, [](Lock&) {
+    release();
+    thread.api = EGL_OPENGL_ES_API;
+    return EGL_TRUE;
+  });
+}
+
+EGLContext EGLAPIENTRY eglGetCurrentContext() {
+  setError(EGL_SUCCESS);
+  const Context* context = currentContext();
+  return context == nullptr ? EGL_NO_CONTEXT : context->handle;
+}
+
+EGLDisplay EGLAPIENTRY eglGetCurrentDisplay() {
+  setError(EGL_SUCCESS);
+  const Context* context = currentContext();
+  return context == nullptr ? EGL_NO_DISPLAY : context->display.handle();
+}
+
+EGLSurface EGLAPIENTRY eglGetCurrentSurface(EGLint readdraw) {
+  return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) {
+    require(readdraw == EGL_DRAW || readdraw == EGL_READ, EGL_BAD_PARAMETER);
+    const Binding* binding = currentBinding();
+    if (binding == nullptr || binding->draw == nullptr) return EGL_NO_SURFACE;
+    return (readdraw == EGL_DRAW ? binding->draw : binding->read)->handle;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglBindAPI(EGLenum api) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    require(api == EGL_OPENGL_ES_API, EGL_BAD_PARAMETER);
+    thread.api = api;
+    return EGL_TRUE;
+  });
+}
+
+EGLenum EGLAPIENTRY eglQueryAPI() {
+  setError(EGL_SUCCESS);
+  return thread.api;
+}
+
+EGLBoolean EGLAPIENTRY eglWaitClient() {
+  return command<EGLBoolean>(EGL_FALSE, [](Lock& lock) {
+    Context* context = currentContext();
+    if (context == nullptr) return EGL_TRUE;
+    lock.unlock();
+    gl::finish(*context->gl);
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglWaitGL() {
+  return eglWaitClient();
+}
+
+EGLBoolean EGLAPIENTRY eglWaitNative(EGLint engine) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    require(engine == EGL_CORE_NATIVE_ENGINE || currentContext() == nullptr, EGL_BAD_PARAMETER);
+    return EGL_TRUE;
+  });
+}

@@ -1,0 +1,36 @@
+// Section 3.7.3 and 3.12: what is current in a thread.
+#pragma once
+
+#include <EGL/egl.h>
+
+#include <memory>
+
+#include "layer/egl/context.h"
+#include "layer/egl/surface.h"
+
+namespace anteroom::egl {
+
+struct Binding {
+  std::shared_ptr<Context> context;
+  std::shared_ptr<Surface> draw, read;  // both null: without a default framebuffer
+};
+
+// Without constructor and destructor: commands may be called while a thread or the process ends.
+struct Thread {
+  EGLint error;
+  EGLenum api;
+  Binding* binding;  // null: nothing is current
+};
+
+Thread& thisThread();
+
+// Null: none.
+inline const Binding* currentBinding() {
+  return thisThread().binding;
+}
+inline Context* currentContext() {
+  const Binding* binding = currentBinding();
+  return binding == nullptr ? nullptr : binding->context.get();
+}
+
+}  // namespace anteroom::egl

@@ -1,0 +1,192 @@
+#include "layer/egl/display.h"
+
+#include <string>
+
+#include "layer/egl/attributes.h"
+#include "layer/egl/errors.h"
+#include "layer/egl/renderer.h"
+
+namespace anteroom::egl {
+namespace {
+
+// Never destroyed: other threads may still draw while the process ends.
+std::vector<std::unique_ptr<Display>>& displays() {
+  static auto& instance = *new std::vector<std::unique_ptr<Display>>;
+  return instance;
+}
+
+// EGL_EXT_device_enumeration: one device, the one that ANTEROOM_DEVICE and the renderer choose at
+// initialization.
+char theDevice;
+EGLDeviceEXT deviceHandle() {
+  return &theDevice;
+}
+
+EGLDisplay findOrCreate(EGLenum platform, void* native) {
+  for (const auto& display : displays()) {
+    if (display->is(platform, native)) return display->handle();
+  }
+  displays().push_back(std::make_unique<Display>(platform, native));
+  return displays().back()->handle();
+}
+
+template <typename Integer>
+EGLDisplay platformDisplay(EGLenum platform, void* native, const Integer* attributes) {
+  switch (platform) {
+    case EGL_PLATFORM_SURFACELESS_MESA:
+      require(native == EGL_DEFAULT_DISPLAY, EGL_BAD_PARAMETER);
+      break;
+    case EGL_PLATFORM_DEVICE_EXT:
+      require(native == deviceHandle(), EGL_BAD_PARAMETER);
+      break;
+    default:
+      throw Error{EGL_BAD_PARAMETER};
+  }
+  require(isEmpty(attributes), EGL_BAD_ATTRIBUTE);
+  return findOrCreate(platform, native);
+}
+
+}  // namespace
+
+void* newHandle() {
+  static uintptr_t last = 0x10000;
+  return reinterpret_cast<void*>(++last);
+}
+
+void Display::initialize() {
+  if (initialized()) return;
+  std::string error;
+  std::shared_ptr<render::Device> device = createDevice(error);
+  if (device == nullptr) {
+    log(error.c_str());
+    throw Error{EGL_NOT_INITIALIZED};
+  }
+  configs_ = makeConfigs(device->caps());
+  device_ = std::move(device);
+}
+
+void Display::terminate() {
+  syncs.clear();
+  surfaces.clear();
+  contexts.clear();
+  configs_.clear();
+  device_.reset();
+}
+
+const Config& Display::config(EGLConfig handle) const {
+  const auto id = reinterpret_cast<uintptr_t>(handle);
+  require(id >= 1 && id <= configs_.size(), EGL_BAD_CONFIG);
+  return configs_[id - 1];
+}
+
+std::shared_ptr<Context> Display::context(EGLContext handle) const {
+  auto found = contexts.find(handle);
+  require(found != nullptr, EGL_BAD_CONTEXT);
+  return found;
+}
+
+std::shared_ptr<Surface> Display::surface(EGLSurface handle) const {
+  auto found = surfaces.find(handle);
+  require(found != nullptr, EGL_BAD_SURFACE);
+  return found;
+}
+
+std::shared_ptr<Sync> Display::sync(EGLSync handle) const {
+  auto found = syncs.find(handle);
+  require(found != nullptr, EGL_BAD_PARAMETER);
+  return found;
+}
+
+Display& displayOf(EGLDisplay handle) {
+  for (const auto& display : displays()) {
+    if (display->handle() == handle) return *display;
+  }
+  throw Error{EGL_BAD_DISPLAY};
+}
+
+Display& initializedDisplay(EGLDisplay handle) {
+  Display& display = displayOf(handle);
+  require(display.initialized(), EGL_NOT_INITIALIZED);
+  return display;
+}
+
+bool isContextOfAnyDisplay(EGLContext handle) {
+  for (const auto& display : displays()) {
+    if (display->contexts.find(handle) != nullptr) return true;
+  }
+  return false;
+}
+
+}  // namespace anteroom::egl
+
+using namespace anteroom::egl;
+
+EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id) {
+  return command<EGLDisplay>(EGL_NO_DISPLAY, [&](Lock&) -> EGLDisplay {
+    // Displays of window systems are unknown, which is no error.
+    if (display_id != EGL_DEFAULT_DISPLAY) return EGL_NO_DISPLAY;
+    return findOrCreate(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+  });
+}
+
+EGLDisplay EGLAPIENTRY eglGetPlatformDisplay(EGLenum platform, void* native_display,
+                                             const EGLAttrib* attrib_list) {
+  return command<EGLDisplay>(EGL_NO_DISPLAY,
+                             [&](Lock&) { return platformDisplay(platform, native_display, attrib_list); });
+}
+
+EGLDisplay EGLAPIENTRY eglGetPlatformDisplayEXT(EGLenum platform, void* native_display,
+                                                const EGLint* attrib_list) {
+  return command<EGLDisplay>(EGL_NO_DISPLAY,
+                             [&](Lock&) { return platformDisplay(platform, native_display, attrib_list); });
+}
+
+EGLBoolean EGLAPIENTRY eglInitialize(EGLDisplay dpy, EGLint* major, EGLint* minor) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    displayOf(dpy).initialize();
+    if (major != nullptr) *major = 1;
+    if (minor != nullptr) *minor = 5;
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglTerminate(EGLDisplay dpy) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    displayOf(dpy).terminate();
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglQueryDevicesEXT(EGLint max_devices, EGLDeviceEXT* devices, EGLint* num_devices) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    require(num_devices != nullptr && (devices == nullptr || max_devices > 0), EGL_BAD_PARAMETER);
+    if (devices != nullptr) devices[0] = deviceHandle();
+    *num_devices = 1;
+    return EGL_TRUE;
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglQueryDeviceAttribEXT(EGLDeviceEXT device, EGLint, EGLAttrib*) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) -> EGLBoolean {
+    require(device == deviceHandle(), EGL_BAD_DEVICE_EXT);
+    throw Error{EGL_BAD_ATTRIBUTE};  // EGL_EXT_device_query defines none
+  });
+}
+
+const char* EGLAPIENTRY eglQueryDeviceStringEXT(EGLDeviceEXT device, EGLint name) {
+  return command<const char*>(nullptr, [&](Lock&) {
+    require(device == deviceHandle(), EGL_BAD_DEVICE_EXT);
+    require(name == EGL_EXTENSIONS, EGL_BAD_PARAMETER);
+    return "";
+  });
+}
+
+EGLBoolean EGLAPIENTRY eglQueryDisplayAttribEXT(EGLDisplay dpy, EGLint attribute, EGLAttrib* value) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+    initializedDisplay(dpy);
+    require(attribute == EGL_DEVICE_EXT, EGL_BAD_ATTRIBUTE);
+    require(value != nullptr, EGL_BAD_PARAMETER);
+    *value = reinterpret_cast<EGLAttrib>(deviceHandle());
+    return EGL_TRUE;
+  });
+}

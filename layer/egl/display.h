@@ -1,0 +1,57 @@
+// Section 3.2: displays. Their handles are their addresses and live as long as the process.
+#pragma once
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+#include <memory>
+#include <vector>
+
+#include "layer/egl/config.h"
+#include "layer/egl/context.h"
+#include "layer/egl/handles.h"
+#include "layer/egl/surface.h"
+#include "layer/egl/sync.h"
+
+namespace anteroom::egl {
+
+class Display {
+ public:
+  Display(EGLenum platform, void* native) : platform_(platform), native_(native) {}
+
+  EGLDisplay handle() { return this; }
+  bool is(EGLenum platform, const void* native) const { return platform == platform_ && native == native_; }
+
+  bool initialized() const { return device_ != nullptr; }
+  // Throws EGL_NOT_INITIALIZED when there is no device.
+  void initialize();
+  // What is current somewhere lives on until it no longer is; its handles are invalid at once.
+  void terminate();
+
+  const std::shared_ptr<render::Device>& device() const { return device_; }
+  const std::vector<Config>& configs() const { return configs_; }
+  // These throw EGL_BAD_CONFIG, EGL_BAD_CONTEXT, EGL_BAD_SURFACE and EGL_BAD_PARAMETER.
+  const Config& config(EGLConfig handle) const;
+  std::shared_ptr<Context> context(EGLContext handle) const;
+  std::shared_ptr<Surface> surface(EGLSurface handle) const;
+  std::shared_ptr<Sync> sync(EGLSync handle) const;
+
+  Handles<Context> contexts;
+  Handles<Surface> surfaces;
+  Handles<Sync> syncs;
+
+ private:
+  EGLenum platform_;
+  void* native_;
+  std::shared_ptr<render::Device> device_;
+  std::vector<Config> configs_;
+};
+
+// Throws EGL_BAD_DISPLAY.
+Display& displayOf(EGLDisplay handle);
+// Throws EGL_NOT_INITIALIZED, too.
+Display& initializedDisplay(EGLDisplay handle);
+// Whether any display has such a context.
+bool isContextOfAnyDisplay(EGLContext handle);
+
+}  // namespace anteroom::egl

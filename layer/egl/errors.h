@@ -1,0 +1,52 @@
+// Section 3.1: a command fails with one error and without side effects; what it did last is kept for the
+// thread.
+#pragma once
+
+#include <EGL/egl.h>
+
+#include <exception>
+#include <mutex>
+#include <new>
+
+namespace anteroom::egl {
+
+// Thrown inside the implementation, never through a command.
+struct Error {
+  EGLint code;
+};
+
+inline void require(bool condition, EGLint code) {
+  if (!condition) throw Error{code};
+}
+
+// One lock guards every display and all that belongs to them.
+using Lock = std::unique_lock<std::mutex>;
+std::mutex& mutex();
+
+// What eglGetError will return in this thread.
+void setError(EGLint code);
+
+// One line on stderr.
+void log(const char* message);
+
+// The frame of every command: runs `body` under the lock, which it may release while it waits, and turns what
+// it throws into the thread's error and the result `failed`.
+template <typename Result, typename Body>
+Result command(Result failed, Body body) noexcept {
+  try {
+    Lock lock(mutex());
+    const Result result = body(lock);
+    setError(EGL_SUCCESS);
+    return result;
+  } catch (const Error& error) {
+    setError(error.code);
+  } catch (const std::bad_alloc&) {
+    setError(EGL_BAD_ALLOC);
+  } catch (const std::exception& error) {
+    log(error.what());
+    setError(EGL_BAD_ALLOC);
+  }
+  return failed;
+}
+
+}  // namespace anteroom::egl

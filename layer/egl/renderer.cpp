@@ -1,0 +1,55 @@
+#include "layer/egl/renderer.h"
+
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace anteroom::egl {
+namespace {
+
+struct Renderer {
+  std::string name;
+  CreateDevice create;
+};
+
+// Never destroyed: displays may be initialized while a process ends.
+std::vector<Renderer>& renderers() {
+  static auto& instance = *new std::vector<Renderer>;
+  return instance;
+}
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string() : std::string(value);
+}
+
+bool isOn(const char* name) {
+  const std::string value = variable(name);
+  return !value.empty() && value != "0" && value != "off";
+}
+
+std::string names() {
+  std::string list;
+  for (const Renderer& renderer : renderers()) list += (list.empty() ? "" : ", ") + renderer.name;
+  return list;
+}
+
+}  // namespace
+
+bool addRenderer(const char* name, CreateDevice create) {
+  renderers().push_back({name, create});
+  return true;
+}
+
+std::unique_ptr<render::Device> createDevice(std::string& error) {
+  const std::string wanted = variable("ANTEROOM_RENDERER");
+  const RendererOptions options{variable("ANTEROOM_DEVICE"), isOn("ANTEROOM_VALIDATION"),
+                                isOn("ANTEROOM_MINIMAL")};
+  for (const Renderer& renderer : renderers()) {
+    if (wanted.empty() || wanted == renderer.name) return renderer.create(options, error);
+  }
+  error = "ANTEROOM_RENDERER=" + wanted + ": no such renderer is built in; choose from: " + names();
+  return nullptr;
+}
+
+}  // namespace anteroom::egl

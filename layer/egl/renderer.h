@@ -1,0 +1,27 @@
+// Which renderer draws: ANTEROOM_RENDERER names it.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "layer/render/renderer.h"
+
+namespace anteroom::egl {
+
+struct RendererOptions {
+  std::string device;       // ANTEROOM_DEVICE: part of a device's name, or an index
+  bool validation = false;  // ANTEROOM_VALIDATION
+  bool minimal = false;     // ANTEROOM_MINIMAL: as little of the device as a renderer can live with
+};
+
+// Null: no device; `error` then says why and what to do.
+using CreateDevice = std::unique_ptr<render::Device> (*)(const RendererOptions& options, std::string& error);
+
+// Makes a renderer known; the first one is the default. Called while a program or library is loaded, by
+// whoever links renderers in (layer/loader, tests).
+bool addRenderer(const char* name, CreateDevice create);
+
+// The device that the environment asks for. Null: none, `error` says why.
+std::unique_ptr<render::Device> createDevice(std::string& error);
+
+}  // namespace anteroom::egl
