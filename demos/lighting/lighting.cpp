@@ -1,0 +1,423 @@
+#include "lighting.h"
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <EGL/egl.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "light_textures.h"
+#include "room/context.h"
+#include "room/transform.h"
+#include "scene.h"
+
+namespace lighting {
+namespace {
+
+constexpr std::array<std::string_view, 5> kStages = {"bump", "spot", "specular", "shadows", "final"};
+constexpr int kUnits = 3;
+
+// The stencil byte: one bit a light for "already darkened", and the receiver above them.
+constexpr GLuint kShadowBits = (1U << kLights) - 1;
+constexpr GLuint stencilOf(Receiver receiver) { return static_cast<GLuint>(receiver) << kLights; }
+
+struct Terms {
+  bool bump = false;
+  bool spot = false;
+  bool specular = false;
+  bool shadows = false;
+};
+
+Terms termsOf(std::string_view stage) {
+  if (stage == "final") return {true, true, true, true};
+  return {stage == "bump", stage == "spot" || stage == "specular", stage == "specular", stage == "shadows"};
+}
+
+void useTexture(int unit, const room::Texture& texture) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glEnable(GL_TEXTURE_2D);
+  texture.bind();
+}
+
+// RGB = a * b or dot(a, b), alpha = that of the unit before.
+void combine(GLenum mode, GLenum first, GLenum second, float scale = 1) {
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
+  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, static_cast<GLint>(mode));
+  glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_RGB, static_cast<GLint>(first));
+  glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, static_cast<GLint>(second));
+  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
+  glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
+  glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, scale);
+}
+
+void modulate() {
+  glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 1);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
+}
+
+void setColor(const glm::dvec3& rgb, double alpha = 1) {
+  glColor4f(static_cast<float>(rgb.r), static_cast<float>(rgb.g), static_cast<float>(rgb.b),
+            static_cast<float>(alpha));
+}
+
+// Texture coordinates of a unit from the mesh's own coordinates or from its positions.
+void useTexCoords(int unit, const room::Mesh& mesh, bool positions = false) {
+  glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  if (positions) {
+    mesh.bindPositionsAsTexCoords();
+  } else {
+    mesh.bindTexCoords();
+  }
+}
+
+void loadTextureMatrix(int unit, const glm::dmat4& m) {
+  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+  glMatrixMode(GL_TEXTURE);
+  room::loadMatrix(m);
+  glMatrixMode(GL_MODELVIEW);
+}
+
+// What every pass starts from: depth tested but not written, no texture, no array but the positions.
+void resetState() {
+  for (int unit = kUnits - 1; unit >= 0; --unit) {
+    loadTextureMatrix(unit, glm::dmat4(1.0));
+    glDisable(GL_TEXTURE_2D);
+    glDisable(GL_TEXTURE_CUBE_MAP_OES);
+    glDisable(GL_TEXTURE_GEN_STR_OES);
+    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  }
+  glDisableClientState(GL_COLOR_ARRAY);
+  glDisableClientState(GL_NORMAL_ARRAY);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDisable(GL_STENCIL_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+}
+
+class Lighting final : public room::Demo {
+ public:
+  std::span<const std::string_view> stages() const override { return kStages; }
+  void setup() override;
+  void frame(const room::View& view, std::string_view stage) override;
+
+ private:
+  void drawBase(const Terms& terms);
+  void drawMask(const Spotlight& light, const Terms& terms);
+  void drawShadows(int lightIndex, bool alone);
+  void drawBump(const Spotlight& light);
+  void drawFlat(const Spotlight& light);
+  void drawSpecular(const Spotlight& light);
+  void drawGlow();
+
+  void lightVertices(const Spotlight& light);
+  void place(const Part& part) const { room::loadMatrix(camera_ * part.model); }
+
+  std::optional<Scene> scene_;
+  room::Texture falloff_;
+  room::Texture ramp_;
+  room::Texture highlight_;
+  room::Texture glow_;
+  PFNGLTEXGENIOESPROC texGeni_ = nullptr;
+  glm::dmat4 camera_{1.0};
+  glm::dvec3 eye_{0};
+  // A color a vertex and part for the light at hand: the light vector in tangent space, scaled and biased, and the
+  // attenuation in alpha.
+  std::vector<std::vector<glm::vec4>> lit_;
+};
+
+void Lighting::setup() {
+  if (!room::hasExtension("GL_OES_texture_cube_map")) {
+    throw std::runtime_error("lighting needs GL_OES_texture_cube_map, which this implementation does not have");
+  }
+  GLint units = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
+  if (units < kUnits) throw std::runtime_error("lighting needs three texture units");
+  texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
+  if (texGeni_ == nullptr) throw std::runtime_error("eglGetProcAddress does not know glTexGeniOES");
+  scene_.emplace();
+  falloff_ = room::makeTexture(falloffImage(), room::Filter::Nearest, GL_CLAMP_TO_EDGE, GL_ALPHA);
+  ramp_ = room::makeTexture(rampImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE, GL_ALPHA);
+  highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
+  glow_ = room::makeTexture(glowImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
+  lit_.resize(scene_->parts().size());
+}
+
+void Lighting::frame(const room::View& view, std::string_view stage) {
+  const Terms terms = termsOf(stage);
+  scene_->animate(view.time);
+
+  const double turn = glm::two_pi<double>() * view.time;
+  const double angle = glm::radians(7.0 + 13.0 * std::sin(turn / 26.0));
+  const glm::dvec3 target(0.12, 1.10, -1.2);
+  eye_ = target + glm::dvec3(4.55 * std::sin(angle), 0.55 + 0.15 * std::sin(turn / 17.0), 4.55 * std::cos(angle));
+  camera_ = glm::lookAt(eye_, target, glm::dvec3(0, 1, 0));
+
+  glViewport(0, 0, view.width, view.height);
+  glMatrixMode(GL_PROJECTION);
+  room::loadMatrix(glm::perspective(glm::radians(50.0), static_cast<double>(view.width) / view.height, 0.1, 20.0));
+  glMatrixMode(GL_MODELVIEW);
+
+  drawBase(terms);
+  for (int i = 0; i < kLights; ++i) {
+    const Spotlight& light = scene_->lights()[static_cast<std::size_t>(i)];
+    const bool shadowsAlone = terms.shadows && !terms.bump;
+    if (!shadowsAlone) drawMask(light, terms);
+    if (terms.shadows) drawShadows(i, shadowsAlone);
+    if (terms.bump) drawBump(light);
+    if (terms.spot && !terms.bump && !terms.specular) drawFlat(light);
+    if (terms.specular) drawSpecular(light);
+  }
+  if (terms.bump && terms.spot) drawGlow();
+  resetState();
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+// Depth, the stencil values of the receivers, and the ambient light (or what takes its place in a single stage).
+void Lighting::drawBase(const Terms& terms) {
+  resetState();
+  glDepthMask(GL_TRUE);
+  glStencilMask(~0U);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClearStencil(0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_STENCIL_TEST);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+  const bool shadowsAlone = terms.shadows && !terms.bump;
+  for (const Part& part : scene_->parts()) {
+    glStencilFunc(GL_ALWAYS, static_cast<GLint>(stencilOf(part.receiver)), ~0U);
+    place(part);
+    part.mesh->bindPositions();
+    if (part.material == nullptr || terms.bump) {
+      glEnableClientState(GL_COLOR_ARRAY);
+      part.mesh->bindColors();
+    } else {
+      glDisableClientState(GL_COLOR_ARRAY);
+      setColor(glm::dvec3(!shadowsAlone ? 0.0 : part.receiver == Receiver::None ? 0.42 : 0.78));
+    }
+    if (part.material != nullptr && terms.bump) {
+      useTexture(0, part.material->base);
+      modulate();
+      useTexCoords(0, *part.mesh);
+    } else {
+      glActiveTexture(GL_TEXTURE0);
+      glDisable(GL_TEXTURE_2D);
+    }
+    part.mesh->draw();
+  }
+}
+
+// The light vector at every vertex, rotated into the vertex's T,B,N frame.
+void Lighting::lightVertices(const Spotlight& light) {
+  for (std::size_t i = 0; i < lit_.size(); ++i) {
+    const Part& part = scene_->parts()[i];
+    if (part.material == nullptr || part.material->space != NormalSpace::Tangent) continue;
+    const glm::dvec3 lamp(glm::inverse(part.model) * glm::dvec4(light.position, 1.0));
+    lit_[i].clear();
+    for (const room::Vertex& v : part.data.vertices) {
+      const glm::dvec3 toLight = lamp - v.position;
+      const double distance = std::max(glm::length(toLight), 1e-6);
+      const glm::dvec3 tangentSpace =
+          glm::dvec3(glm::dot(v.tangent, toLight), glm::dot(v.bitangent, toLight), glm::dot(v.normal, toLight)) /
+          distance;
+      // Bumps must not catch light that comes from behind the surface.
+      const double facing = std::clamp(tangentSpace.z * 6.0 + 0.5, 0.0, 1.0);
+      lit_[i].emplace_back(glm::vec3(tangentSpace * 0.5 + 0.5),
+                           static_cast<float>(light.attenuation(distance) * facing));
+    }
+  }
+}
+
+// Destination alpha = attenuation * falloff * ramp, where the ramp is 0 behind the light's near plane.
+void Lighting::drawMask(const Spotlight& light, const Terms& terms) {
+  lightVertices(light);
+  resetState();
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  if (terms.spot) {
+    useTexture(0, falloff_);
+    modulate();
+    useTexture(1, ramp_);
+    modulate();
+  }
+  for (std::size_t i = 0; i < lit_.size(); ++i) {
+    const Part& part = scene_->parts()[i];
+    if (part.material == nullptr) continue;
+    place(part);
+    part.mesh->bindPositions();
+    if (part.material->space == NormalSpace::Tangent) {
+      glEnableClientState(GL_COLOR_ARRAY);
+      glColorPointer(4, GL_FLOAT, 0, lit_[i].data());
+    } else {
+      glDisableClientState(GL_COLOR_ARRAY);
+      const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
+      setColor(glm::dvec3(1), light.attenuation(glm::distance(center, light.position)));
+    }
+    if (terms.spot) {
+      loadTextureMatrix(0, light.projection() * part.model);
+      loadTextureMatrix(1, light.nearPlane() * part.model);
+      useTexCoords(0, *part.mesh, true);
+      useTexCoords(1, *part.mesh, true);
+    }
+    part.mesh->draw();
+  }
+}
+
+// Flattens every caster onto every receiver. The stencil lets only pixels of the receiver pass that this light has
+// not darkened yet, so neither depth nor overlap matters.
+void Lighting::drawShadows(int lightIndex, bool alone) {
+  const Spotlight& light = scene_->lights()[static_cast<std::size_t>(lightIndex)];
+  const GLuint bit = 1U << lightIndex;
+  resetState();
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(bit);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+  if (alone) {
+    setColor(glm::mix(glm::dvec3(0.30), 1.05 - light.color, 0.45));
+  } else {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+    setColor(glm::dvec3(1), 0.06);
+  }
+  for (Receiver receiver : kReceivers) {
+    const glm::dvec4 plane = planeOf(receiver);
+    if (glm::dot(plane, glm::dvec4(light.position, 1.0)) <= 0) continue;
+    glStencilFunc(GL_EQUAL, static_cast<GLint>(stencilOf(receiver)), (~0U & ~kShadowBits) | bit);
+    const glm::dmat4 flatten = camera_ * room::planarShadow(plane, light.position);
+    for (const Part& part : scene_->parts()) {
+      if ((part.castsFor & bit) == 0) continue;
+      room::loadMatrix(flatten * part.model);
+      part.outline().bindPositions();
+      part.outline().draw();
+    }
+  }
+  glStencilMask(~0U);
+}
+
+// color += N.L * base * 2 * light color * destination alpha.
+void Lighting::drawBump(const Spotlight& light) {
+  resetState();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_ALPHA, GL_ONE);
+  const glm::vec4 color(light.color, 1.0);
+  for (std::size_t i = 0; i < lit_.size(); ++i) {
+    const Part& part = scene_->parts()[i];
+    if (part.material == nullptr) continue;
+    place(part);
+    useTexture(0, part.material->normal);
+    combine(GL_DOT3_RGB, GL_TEXTURE, GL_PRIMARY_COLOR);
+    useTexture(1, part.material->base);
+    combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, 2);
+    useTexture(2, part.material->base);
+    combine(GL_MODULATE, GL_PREVIOUS, GL_CONSTANT);
+    glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(color));
+    part.mesh->bindPositions();
+    for (int unit = 0; unit < kUnits; ++unit) useTexCoords(unit, *part.mesh);
+    if (part.material->space == NormalSpace::Tangent) {
+      glEnableClientState(GL_COLOR_ARRAY);
+      glColorPointer(4, GL_FLOAT, 0, lit_[i].data());
+    } else {
+      // One light vector for the whole object, in the space of its normal map.
+      glDisableClientState(GL_COLOR_ARRAY);
+      const glm::dvec3 lamp(glm::inverse(part.model) * glm::dvec4(light.position, 1.0));
+      setColor(glm::normalize(lamp - part.center) * 0.5 + 0.5);
+    }
+    part.mesh->draw();
+  }
+}
+
+// The spot by itself, on white.
+void Lighting::drawFlat(const Spotlight& light) {
+  resetState();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_ALPHA, GL_ONE);
+  setColor(light.color);
+  for (const Part& part : scene_->parts()) {
+    if (part.material == nullptr) continue;
+    place(part);
+    part.mesh->bindPositions();
+    part.mesh->draw();
+  }
+}
+
+// The cube map holds a highlight about its +Z axis; the texture matrix turns the light's direction there.
+void Lighting::drawSpecular(const Spotlight& light) {
+  resetState();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_DST_ALPHA, GL_ONE);
+  glEnableClientState(GL_NORMAL_ARRAY);
+  glActiveTexture(GL_TEXTURE0);
+  glEnable(GL_TEXTURE_CUBE_MAP_OES);
+  glEnable(GL_TEXTURE_GEN_STR_OES);
+  highlight_.bind();
+  texGeni_(GL_TEXTURE_GEN_STR_OES, GL_TEXTURE_GEN_MODE_OES, GL_REFLECTION_MAP_OES);
+  modulate();
+  for (const Part& part : scene_->parts()) {
+    if (part.material == nullptr || part.shine <= 0) continue;
+    place(part);
+    const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
+    const glm::dvec3 toLight = glm::normalize(glm::dmat3(camera_) * (light.position - center));
+    loadTextureMatrix(0, room::rotationBetween(toLight, {0, 0, 1}));
+    useTexture(1, part.material->gloss);
+    modulate();
+    useTexCoords(1, *part.mesh);
+    part.mesh->bindPositions();
+    part.mesh->bindNormals();
+    setColor(light.color * part.shine);
+    part.mesh->draw();
+  }
+}
+
+// The air around the lamps.
+void Lighting::drawGlow() {
+  resetState();
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  useTexture(0, glow_);
+  modulate();
+  glClientActiveTexture(GL_TEXTURE0);
+  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  constexpr std::array<GLfloat, 8> kCorners = {0, 0, 1, 0, 0, 1, 1, 1};
+  glTexCoordPointer(2, GL_FLOAT, 0, kCorners.data());
+  room::loadMatrix(camera_);
+  const glm::dmat3 toWorld = glm::transpose(glm::dmat3(camera_));
+  for (const Spotlight& light : scene_->lights()) {
+    const double facing = glm::dot(light.direction, glm::normalize(eye_ - light.position));
+    const double strength = 0.25 + 0.45 * std::max(facing, 0.0);
+    setColor(light.color * strength);
+    std::array<glm::vec3, 4> quad;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const glm::dvec2 offset(kCorners[2 * i] - 0.5, kCorners[2 * i + 1] - 0.5);
+      const glm::dvec3 forward = toWorld[2] * 0.06;
+      quad[i] = light.position + forward + 1.3 * (toWorld[0] * offset.x + toWorld[1] * offset.y);
+    }
+    glVertexPointer(3, GL_FLOAT, 0, quad.data());
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<room::Demo> makeLighting() { return std::make_unique<Lighting>(); }
+
+}  // namespace lighting

@@ -1,0 +1,42 @@
+// An offscreen OpenGL ES 1.x context on whichever EGL implementation is found.
+#pragma once
+
+#include <EGL/egl.h>
+
+#include <string_view>
+
+namespace room {
+
+// Owns a display connection, a pbuffer and a context, current on the creating thread.
+// Throws std::runtime_error with the EGL error when no display or no config will do.
+class Context {
+ public:
+  // samples: the multisamples wished for; the nearest lower count that a config has is taken.
+  Context(int width, int height, int samples);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  int samples() const { return samples_; }
+
+ private:
+  bool open(EGLDisplay display, int samples);
+  void close();
+
+  EGLDisplay display_ = EGL_NO_DISPLAY;
+  EGLSurface surface_ = EGL_NO_SURFACE;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  int width_;
+  int height_;
+  int samples_ = 0;
+};
+
+// Whether the current context lists the extension.
+bool hasExtension(std::string_view name);
+
+// Throws std::runtime_error that names every GL error since the last call; `where` tells what was running.
+void checkErrors(std::string_view where);
+
+}  // namespace room

@@ -1,0 +1,34 @@
+// What a demo offers to the program that runs it.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace room {
+
+struct View {
+  int width = 0;   // pixels
+  int height = 0;  // pixels
+  double time = 0;  // seconds; the picture depends on nothing else but the stage
+};
+
+class Demo {
+ public:
+  virtual ~Demo() = default;
+  // What --stage accepts; the last one is the finished picture.
+  virtual std::span<const std::string_view> stages() const = 0;
+  // Makes textures and meshes. A context is current, here and whenever anything else of the demo runs.
+  virtual void setup() = 0;
+  // Draws one frame into the current surface; stage is one of stages().
+  virtual void frame(const View& view, std::string_view stage) = 0;
+};
+
+struct DemoEntry {
+  std::string_view name;
+  std::string_view summary;
+  std::function<std::unique_ptr<Demo>()> make;
+};
+
+}  // namespace room

@@ -1,0 +1,39 @@
+// Pictures of the current surface, and files of them.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+
+namespace room {
+
+// 8-bit RGB as it is displayed (sRGB), top row first.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;
+};
+
+// Reads the color buffer of the current surface.
+Picture readPicture(int width, int height);
+
+// PNG, or EXR (half floats, linear light), by the file's extension. Throws std::runtime_error.
+void writePicture(const std::filesystem::path& file, const Picture& picture);
+
+// One animated GIF, a frame at a time.
+class GifWriter {
+ public:
+  GifWriter(std::filesystem::path file, double framesPerSecond);
+  ~GifWriter();
+  void add(const Picture& picture);
+  void close();
+
+ private:
+  struct Output;
+  std::unique_ptr<Output> output_;
+};
+
+}  // namespace room

@@ -1,0 +1,21 @@
+// Matrices that the demos share, in float64; they are rounded once, when GL gets them.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace room {
+
+// [-1,1] to [0,1] in x, y and z.
+glm::dmat4 biasMatrix();
+
+// Flattens what lies between a point light and a plane (unit normal, dot(normal, p) + offset = 0) onto that plane.
+// A result with w <= 0 comes from a point at or behind the light and must be clipped away.
+glm::dmat4 planarShadow(glm::dvec4 plane, glm::dvec3 light);
+
+// The shortest rotation that takes one unit vector to another.
+glm::dmat4 rotationBetween(glm::dvec3 from, glm::dvec3 to);
+
+// Loads onto the current matrix stack.
+void loadMatrix(const glm::dmat4& m);
+
+}  // namespace room

@@ -1,0 +1,199 @@
+// The Rooms demos: `rooms NAME` renders one of them to picture files.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "lighting/lighting.h"
+#include "room/context.h"
+#include "room/demo.h"
+#include "room/picture.h"
+#include "room/progress.h"
+
+namespace {
+
+const std::vector<room::DemoEntry>& demos() {
+  static const std::vector<room::DemoEntry> entries = {
+      {"lighting", "bump-mapped room, trash can with highlights, two moving spotlights and their shadows",
+       lighting::makeLighting},
+  };
+  return entries;
+}
+
+struct Options {
+  std::string demo;
+  bool list = false;
+  std::string size = "640x480";
+  double time = 0;
+  std::string frames = "1";
+  double fps = 30;
+  std::string stage;
+  std::string out = ".";
+  std::string format = "png";
+  int samples = 4;
+};
+
+// Something the user can put right: the message alone is shown, and the exit status is 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Size {
+  int width;
+  int height;
+};
+
+struct FrameRange {
+  int first;
+  int last;
+};
+
+// Two numbers with one character between them; nothing else in the text.
+bool parsePair(const std::string& text, char between, int& a, int& b) {
+  const char* end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, a);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != between) return false;
+  const auto second = std::from_chars(first.ptr + 1, end, b);
+  return second.ec == std::errc() && second.ptr == end;
+}
+
+Size parseSize(const std::string& text) {
+  Size size{};
+  if (!parsePair(text, 'x', size.width, size.height) || size.width < 1 || size.height < 1 || size.width > 16384 ||
+      size.height > 16384) {
+    throw UsageError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, as in 640x480", text));
+  }
+  return size;
+}
+
+// "60" is the first sixty frames, "30-59" the second half of them.
+FrameRange parseFrames(const std::string& text) {
+  FrameRange range{};
+  if (parsePair(text, '-', range.first, range.last)) {
+    if (range.first >= 0 && range.last >= range.first) return range;
+  } else {
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), range.last);
+    const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
+    if (whole && range.last > 0) return {0, range.last - 1};
+  }
+  throw UsageError(fmt::format("--frames {}: expected a count, as in 60, or a range, as in 30-59", text));
+}
+
+std::vector<std::string_view> demoNames() {
+  std::vector<std::string_view> names;
+  for (const room::DemoEntry& entry : demos()) names.push_back(entry.name);
+  return names;
+}
+
+std::vector<const room::DemoEntry*> chosenDemos(const std::string& name) {
+  std::vector<const room::DemoEntry*> chosen;
+  for (const room::DemoEntry& entry : demos()) {
+    if (name == "all" || name == entry.name) chosen.push_back(&entry);
+  }
+  if (chosen.empty()) {
+    throw UsageError(name.empty() ? fmt::format("which demo? There are: {}, or all", fmt::join(demoNames(), ", "))
+                                  : fmt::format("there is no demo '{}'; there are: {}, or all", name,
+                                                fmt::join(demoNames(), ", ")));
+  }
+  return chosen;
+}
+
+std::string_view chosenStage(const room::Demo& demo, std::string_view name, const std::string& stage) {
+  if (stage.empty()) return demo.stages().back();
+  for (std::string_view known : demo.stages()) {
+    if (known == stage) return known;
+  }
+  throw UsageError(fmt::format("{} has no stage '{}'; its stages are: {}", name, stage,
+                               fmt::join(demo.stages(), ", ")));
+}
+
+void render(const room::DemoEntry& entry, const Options& options) {
+  const Size size = parseSize(options.size);
+  const FrameRange range = parseFrames(options.frames);
+  const std::string_view stage = chosenStage(*entry.make(), entry.name, options.stage);
+  const std::filesystem::path folder = options.out;
+  std::filesystem::create_directories(folder);
+
+  const room::Context context(size.width, size.height, options.samples);
+  const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
+  demo->setup();
+  room::checkErrors(fmt::format("the setup of {}", entry.name));
+
+  const bool single = range.first == range.last;
+  const std::string stem = stage == demo->stages().back() ? std::string(entry.name)
+                                                          : fmt::format("{}-{}", entry.name, stage);
+  std::unique_ptr<room::GifWriter> gif;
+  if (options.format == "gif") gif = std::make_unique<room::GifWriter>(folder / (stem + ".gif"), options.fps);
+  room::Progress progress(stem, range.last - range.first + 1);
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    const room::View view{size.width, size.height, options.time + frame / options.fps};
+    demo->frame(view, stage);
+    const room::Picture picture = room::readPicture(size.width, size.height);
+    room::checkErrors(fmt::format("frame {} of {}", frame, stem));
+    if (gif) {
+      gif->add(picture);
+    } else {
+      const std::string name = single ? stem : fmt::format("{}-{:04}", stem, frame);
+      room::writePicture(folder / (name + "." + options.format), picture);
+    }
+    progress.advance();
+  }
+  if (gif) gif->close();
+}
+
+void list() {
+  for (const room::DemoEntry& entry : demos()) {
+    fmt::print("{:<12} {}\n{:<12} stages: {}\n", entry.name, entry.summary, "",
+               fmt::join(entry.make()->stages(), ", "));
+  }
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
+  app.add_option("demo", options.demo, fmt::format("{}, or all", fmt::join(demoNames(), ", ")));
+  app.add_flag("--list", options.list, "say which demos and stages there are");
+  app.add_option("--size", options.size, "picture size in pixels")->capture_default_str();
+  app.add_option("--time", options.time, "seconds at frame 0")->capture_default_str();
+  app.add_option("--frames", options.frames, "how many frames, or which: 60 or 30-59")->capture_default_str();
+  app.add_option("--fps", options.fps, "frames a second")->capture_default_str()->check(CLI::PositiveNumber);
+  app.add_option("--stage", options.stage, "show one step of the demo (see --list)");
+  app.add_option("--out", options.out, "folder for the pictures")->capture_default_str();
+  app.add_option("--format", options.format, "png, exr (linear light) or gif (one animation)")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"png", "exr", "gif"}));
+  app.add_option("--samples", options.samples, "multisamples a pixel, if the implementation has them")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 16));
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  if (options.list) {
+    list();
+    return 0;
+  }
+  for (const room::DemoEntry* entry : chosenDemos(options.demo)) render(*entry, options);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "rooms: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "rooms: {}\n", error.what());
+    return 1;
+  }
+}
