@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -24,6 +24,20 @@ struct WorkerReport {
 };
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerReport, implementation, measurements)
+
+// Names that contain one of the parts; every name when there are none.
+struct NameFilter {
+  std::vector<std::string> parts;
+
+  bool matches(const std::string& name) const {
+    return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
+             return name.find(part) != std::string::npos;
+           });
+  }
+  bool matchesAny(const std::vector<std::string>& names) const {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return matches(name); });
+  }
+};
 
 // Of a non-empty set.
 double median(std::vector<double> values);

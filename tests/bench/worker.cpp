@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "scene.h"
@@ -19,7 +18,6 @@ namespace {
 constexpr int kVisits = 3;
 constexpr int kWarmUpFrames = 3;
 constexpr int kLeastFrames = 5;
-constexpr double kVisitMilliseconds = 250;
 constexpr const char* kSteadyMemory = "memory.steady";
 
 double millisecondsSince(std::int64_t start) {
@@ -35,7 +33,7 @@ double peakMebibytes() {
 }
 
 // Fills `result` with the times of one visit, or with what was wrong with the picture.
-void visit(Scene& scene, EGLDisplay display, Measurement& result) {
+void visit(Scene& scene, EGLDisplay display, double milliseconds, Measurement& result) {
   const Session session(display);
   scene.begin();
   unsigned number = 0;
@@ -44,8 +42,7 @@ void visit(Scene& scene, EGLDisplay display, Measurement& result) {
     glFinish();
   }
   const std::int64_t visitStart = now();
-  for (int frames = 0; frames < kLeastFrames || millisecondsSince(visitStart) < kVisitMilliseconds;
-       ++frames) {
+  for (int frames = 0; frames < kLeastFrames || millisecondsSince(visitStart) < milliseconds; ++frames) {
     const std::int64_t start = now();
     scene.frame(++number);
     glFinish();
@@ -103,10 +100,9 @@ std::vector<std::string> freshNames(const std::string& temperature) {
   return names;
 }
 
-WorkerReport measureSteady(const std::string& filter) {
-  const std::regex wanted(filter);
+WorkerReport measureSteady(const NameFilter& filter, double visitMilliseconds) {
   Scenes scenes = allScenes();
-  std::erase_if(scenes, [&](const auto& scene) { return !std::regex_search(scene->name(), wanted); });
+  std::erase_if(scenes, [&](const auto& scene) { return !filter.matches(scene->name()); });
 
   WorkerReport report;
   const EGLDisplay display = openDisplay();
@@ -117,7 +113,8 @@ WorkerReport measureSteady(const std::string& filter) {
   for (const auto& scene : scenes) report.measurements.push_back({scene->name(), "ms", {}, ""});
   for (int pass = 0; pass < kVisits; ++pass)
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      if (report.measurements[i].fault.empty()) visit(*scenes[i], display, report.measurements[i]);
+      if (report.measurements[i].fault.empty())
+        visit(*scenes[i], display, visitMilliseconds, report.measurements[i]);
   report.measurements.push_back({kSteadyMemory, "MiB", {peakMebibytes()}, ""});
   eglTerminate(display);
   return report;

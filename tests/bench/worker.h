@@ -8,10 +8,10 @@
 namespace bench {
 
 // The workers run in processes of their own, against whichever libEGL.so.1 their environment gives them.
-// `filter` is a regular expression (ECMAScript) that is searched for in the names of measurements.
 
-// Every steady scene that `filter` names, in interleaved visits: milliseconds a frame.
-WorkerReport measureSteady(const std::string& filter);
+// Every steady scene that passes, in interleaved visits of at least `visitMilliseconds`: milliseconds a
+// frame.
+WorkerReport measureSteady(const NameFilter& filter, double visitMilliseconds);
 
 // From the start of the process (nanoseconds of CLOCK_MONOTONIC) to the first frame, then the first use of
 // each state mix. `temperature` ("cold" or "warm") becomes part of the names.

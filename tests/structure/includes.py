@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""Checks who may include whom: includes.py ROOT [--self-check]
+
+The rules are those of the README files: gen <- layer/render <- layer/gl <- layer/egl <- layer/loader; layer/vulkan and
+tests/reference implement layer/render; demos and tests/conformance know nothing of ours but the GL and EGL headers.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+SOURCES = {".h", ".hpp", ".c", ".cpp", ".inl"}
+TOP_LEVEL = {"cmake", "layer", "gen", "shaders", "demos", "tests"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
+
+VULKAN = r"vulkan/|volk\.h|vk_|vma"
+GL_API = r"GLES/|EGL/|KHR/"
+WINDOWS = r"GLFW/|xcb/|X11/|wayland"
+PICTURES = r"OpenImageIO/"
+TESTING = r"gtest/|gmock/|benchmark/"
+
+# Folder: (what of ours it may include: folders or single files, which foreign headers it may not include).
+# The longest folder that holds a file rules it.
+RULES = {
+    "gen": (["gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
+    "gen/inspect": (["gen"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
+    "layer/render": (["layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
+    "layer/gl": (["layer/gl", "layer/render", "gen"], [VULKAN, r"EGL/", r"glslang/", WINDOWS, PICTURES, TESTING]),
+    "layer/egl": (
+        ["layer/egl", "layer/gl", "layer/render", "gen", "layer/vulkan/vulkan_device.h"],
+        [VULKAN, r"glslang/", r"GLFW/", PICTURES, TESTING],
+    ),
+    "layer/vulkan": (["layer/vulkan", "layer/render", "gen"], [r"EGL/", r"GLFW/", PICTURES, TESTING]),
+    "layer/loader": (["layer", "gen"], [VULKAN, r"GLFW/", PICTURES, TESTING]),
+    "demos": (["demos"], [VULKAN, TESTING]),
+    "tests/conformance": (["tests/conformance"], [VULKAN]),
+    "tests/bench": (["tests/bench"], [VULKAN]),
+    "tests/reference": (["tests/reference", "layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS]),
+    "tests/gen": (["tests/gen", "gen"], [VULKAN, r"EGL/"]),
+}
+
+
+def sources(root):
+    for top in sorted(TOP_LEVEL):
+        for path in sorted((root / top).rglob("*")):
+            if path.suffix in SOURCES and path.is_file():
+                yield path
+
+
+def rule_for(relative):
+    parents = [parent.as_posix() for parent in relative.parents]
+    return next((parent for parent in parents if parent in RULES), None)
+
+
+def resolve(root, path, name):
+    """The included file relative to the root, or None when it is not in the tree."""
+    inside = path.relative_to(root)
+    for base in [path.parent, root, root / "layer", root / inside.parts[0]]:
+        candidate = (base / name).resolve()
+        if candidate.is_file() and candidate.is_relative_to(root):
+            return candidate.relative_to(root).as_posix()
+    return None
+
+
+def allowed_inside(target, allowed):
+    return any(target == entry or target.startswith(entry + "/") for entry in allowed)
+
+
+def check_file(root, path):
+    relative = path.relative_to(root)
+    folder = rule_for(relative)
+    if folder is None:
+        return
+    allowed, forbidden = RULES[folder]
+    for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if not match:
+            continue
+        name = match.group(1) or match.group(2)
+        where = f"{relative.as_posix()}:{number}"
+        target = resolve(root, path, name)
+        if target is not None:
+            if not allowed_inside(target, allowed):
+                yield f"{where}: {folder} may not include {target}"
+        elif name.split("/")[0] in TOP_LEVEL:
+            # Made by the build, so not in the tree; its name tells where it belongs.
+            if not allowed_inside(name, allowed):
+                yield f"{where}: {folder} may not include {name}"
+        elif any(re.match(pattern, name) for pattern in forbidden):
+            yield f"{where}: {folder} may not include <{name}>"
+
+
+def check_tree(root):
+    for top in sorted(TOP_LEVEL):
+        if (root / top).is_dir() and not (root / top / "README.md").is_file():
+            yield f"{top}: no README.md"
+
+
+def check(root):
+    faults = list(check_tree(root))
+    count = 0
+    for path in sources(root):
+        count += 1
+        faults.extend(check_file(root, path))
+    if count == 0:
+        faults.append(f"no sources below {root}")
+    return faults
+
+
+def self_check():
+    """Every line below breaks a rule but the last ones, and the checker must say so."""
+    bad = {
+        "layer/gl/a.cpp": "#include <vulkan/vulkan.h>",
+        "layer/gl/b.cpp": '#include "layer/vulkan/vulkan_device.h"',
+        "layer/gl/c.cpp": '#include "../egl/display.h"',
+        "layer/render/d.h": "#  include <volk.h>",
+        "layer/egl/e.cpp": '#include "layer/vulkan/memory.h"',
+        "layer/vulkan/f.cpp": '#include "layer/gl/state.h"',
+        "gen/g.cpp": '#include "layer/render/state.h"',
+        "gen/deep/h.h": "#include <vulkan/vulkan_core.h>",
+        "demos/room/i.cpp": '#include "gen/key.h"',
+        "tests/conformance/j.cpp": '#include "gen/key.h"',
+        "layer/loader/k.cpp": "#include <OpenImageIO/imageio.h>",
+        "tests/reference/l.cpp": '#include "gen/not_there_but_ours.h"\n#include "layer/gl/state.h"',
+    }
+    good = {
+        "layer/gl/state.h": '#include "layer/render/state.h"',
+        "layer/render/state.h": '#include "gen/key.h"\n#include <array>',
+        "layer/egl/display.h": '#include "layer/vulkan/vulkan_device.h"',
+        "layer/vulkan/vulkan_device.h": '#include "layer/render/state.h"',
+        "layer/vulkan/memory.h": "#include <volk.h>",
+        "gen/key.h": "#include <GLES/gl.h>",
+        "demos/room/mesh.cpp": '#include "mesh.h"\n#include <GLES/gl.h>',
+        "demos/room/mesh.h": "",
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder).resolve()
+        for name, text in {**good, **bad}.items():
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
+            (root / name).write_text(text + "\n")
+        for top in TOP_LEVEL:
+            (root / top).mkdir(exist_ok=True)
+            (root / top / "README.md").write_text("x\n")
+        (root / "demos/README.md").unlink()
+        faults = check(root)
+    missed = [name for name in bad if not any(fault.startswith(name + ":") for fault in faults)]
+    wrongly = [fault for fault in faults if any(fault.startswith(name + ":") for name in good)]
+    if "demos: no README.md" not in faults:
+        missed.append("demos/README.md")
+    return [f"self-check: fault not seen in {name}" for name in missed] + [
+        f"self-check: wrongly reported: {fault}" for fault in wrongly
+    ]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("root", type=pathlib.Path)
+    parser.add_argument("--self-check", action="store_true", help="check that broken rules are seen, in a temporary tree")
+    arguments = parser.parse_args()
+    faults = self_check() if arguments.self_check else check(arguments.root.resolve())
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
