@@ -1,5 +1,5 @@
-// State in, SPIR-V out: the interface of the generator. Everything here is pure: no Vulkan object, no GL context,
-// no global but glslang's own tables.
+// State in, SPIR-V out: the interface of the generator. Everything here is pure: no Vulkan object, no GL
+// context, no global but glslang's own tables.
 #pragma once
 
 #include <cstddef>
@@ -17,18 +17,20 @@ namespace anteroom::gen {
 // The groups that can change a key. A change in any other group leaves both keys as they are.
 Groups keyGroups();
 
-// Reduces the state to the least that its picture depends on. The fragment key is made first; what it does not
-// read, the vertex shader does not write.
+// Reduces the state to the least that its picture depends on. The fragment key is made first; what it does
+// not read, the vertex shader does not write.
 FragmentKey canonicaliseFragment(const State& state, const Profile& profile);
 VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, const Profile& profile);
 
-// One line in words, and back. parse* return false, and leave `key` alone, when the text describes no valid key.
+// One line in words, and back. parse* return false, and leave `key` alone, when the text describes no valid
+// key.
 std::string describe(const VertexKey& key);
 std::string describe(const FragmentKey& key);
 bool parse(const std::string& text, VertexKey& key);
 bool parse(const std::string& text, FragmentKey& key);
 
-// Whether bytes from outside are a key that canonicalise could have made: every field in range, no dead state.
+// Whether bytes from outside are a key that canonicalise could have made: every field in range, no dead
+// state.
 bool valid(const VertexKey& key);
 bool valid(const FragmentKey& key);
 
@@ -45,18 +47,19 @@ struct CompileResult {
   std::vector<uint32_t> spirv;  // empty: the compile failed
   std::string log;
 };
-// glslang. Thread-safe. The first call in a process builds glslang's tables (about 75 ms): warmCompiler() does
-// that ahead of time, on any thread.
+// glslang. Thread-safe. The first call in a process builds glslang's tables (about 75 ms): warmCompiler()
+// does that ahead of time, on any thread.
 CompileResult compile(Stage stage, const std::string& glsl);
 void warmCompiler();
 
-// ---- What a pipeline must bind ------------------------------------------------------------------------------
-// Descriptor set 0: binding 0 the vertex constants, binding 1 the fragment constants (uniform buffers, dynamic
-// offsets). Set 1: binding u the texture of unit u, only the units that the fragment key samples. Push constants:
-// vertex stage only, from byte 0.
+// ---- What a pipeline must bind
+// ------------------------------------------------------------------------------ Descriptor set 0: binding 0
+// the vertex constants, binding 1 the fragment constants (uniform buffers, dynamic offsets). Set 1: binding u
+// the texture of unit u, only the units that the fragment key samples. Push constants: vertex stage only,
+// from byte 0.
 
-// Bit `a` set: the shader reads array attribute a from vertex input location a. An attribute that is not an array
-// comes from constants.
+// Bit `a` set: the shader reads array attribute a from vertex input location a. An attribute that is not an
+// array comes from constants.
 uint32_t attributesRead(const VertexKey& key);
 // Whether location `a` is declared as float, signed or unsigned integers in the shader.
 enum class InputClass : uint8_t { Float, Int, Uint };
@@ -76,8 +79,8 @@ struct Blocks {
 };
 Blocks blocks(const VertexKey& vertex, const FragmentKey& fragment);
 
-// Write exactly the sizes above. No allocation. Matrix products are made in float64 and rounded once. The clip
-// coordinates that the vertex shader writes have Vulkan's depth range, 0 <= z <= w; y is not flipped.
+// Write exactly the sizes above. No allocation. Matrix products are made in float64 and rounded once. The
+// clip coordinates that the vertex shader writes have Vulkan's depth range, 0 <= z <= w; y is not flipped.
 void packPush(const VertexKey& key, const State& state, std::byte* out);
 void packVertex(const VertexKey& key, const State& state, std::byte* out);
 void packFragment(const FragmentKey& key, const State& state, std::byte* out);

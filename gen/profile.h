@@ -1,5 +1,5 @@
-// What the device can do, as a value: it enters the making of keys, which is otherwise a function of state alone.
-// Generated code never depends on it but through the key.
+// What the device can do, as a value: it enters the making of keys, which is otherwise a function of state
+// alone. Generated code never depends on it but through the key.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 namespace anteroom::gen {
 
 struct Profile {
-  bool clipDistance = true;     // gl_ClipDistance with at least 8 entries; else fragments are discarded
-  bool largePoints = true;      // gl_PointSize other than 1
+  bool clipDistance = true;  // gl_ClipDistance with at least 8 entries; else fragments are discarded
+  bool largePoints = true;   // gl_PointSize other than 1
 };
 
 }  // namespace anteroom::gen

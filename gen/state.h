@@ -1,8 +1,9 @@
-// The fixed-function state that decides what a vertex or a fragment computes, as plain data and in GL's words.
+// The fixed-function state that decides what a vertex or a fragment computes, as plain data and in GL's
+// words.
 //
-// It is filled by the GL front end and read twice: `canonicalise` (gen/canonicalise.h) reduces it to keys, and
-// `pack*` (gen/constants.h) takes the values that a key's shader reads. A renderer without shaders evaluates it
-// directly. Sections are those of the OpenGL ES 1.1.12 full specification.
+// It is filled by the GL front end and read twice: `canonicalise` (gen/canonicalise.h) reduces it to keys,
+// and `pack*` (gen/constants.h) takes the values that a key's shader reads. A renderer without shaders
+// evaluates it directly. Sections are those of the OpenGL ES 1.1.12 full specification.
 #pragma once
 
 #include <GLES/gl.h>
@@ -30,18 +31,18 @@ enum Group : uint32_t {
   kGroupCurrentColor = 1u << 3,   // current color: only a value
   kGroupCurrentOther = 1u << 4,   // current normal and texture coordinates (q = 1 is structure)
   kGroupArrays = 1u << 5,         // which arrays are enabled, their sizes, types, strides, sources
-  kGroupLighting = 1u << 6,       // lighting enables, light model, lights, material, color material, shade model
-  kGroupTextures = 1u << 7,       // unit enables, bindings, completeness, environments, texgen, sampler state
+  kGroupLighting = 1u << 6,  // lighting enables, light model, lights, material, color material, shade model
+  kGroupTextures = 1u << 7,  // unit enables, bindings, completeness, environments, texgen, sampler state
   kGroupFog = 1u << 8,
-  kGroupPoints = 1u << 9,         // size, parameters, sprites, smoothing
+  kGroupPoints = 1u << 9,  // size, parameters, sprites, smoothing
   kGroupClipPlanes = 1u << 10,
   kGroupAlphaTest = 1u << 11,
-  kGroupRaster = 1u << 12,        // culling, front face, polygon offset, line width and smoothing
-  kGroupFragmentOps = 1u << 13,   // depth, stencil, blend, logic op, masks, multisample state
-  kGroupViewport = 1u << 14,      // viewport, depth range, scissor
-  kGroupFramebuffer = 1u << 15,   // draw framebuffer: attachments, size, orientation, bits
-  kGroupPrimitive = 1u << 16,     // points, lines or triangles: set by the draw itself
-  kGroupPalette = 1u << 17,       // palette matrices and the matrix palette enable
+  kGroupRaster = 1u << 12,       // culling, front face, polygon offset, line width and smoothing
+  kGroupFragmentOps = 1u << 13,  // depth, stencil, blend, logic op, masks, multisample state
+  kGroupViewport = 1u << 14,     // viewport, depth range, scissor
+  kGroupFramebuffer = 1u << 15,  // draw framebuffer: attachments, size, orientation, bits
+  kGroupPrimitive = 1u << 16,    // points, lines or triangles: set by the draw itself
+  kGroupPalette = 1u << 17,      // palette matrices and the matrix palette enable
   kAllGroups = (1u << 18) - 1,
 };
 using Groups = uint32_t;
@@ -58,20 +59,22 @@ enum Attribute : uint8_t {
   kWeight,
   kAttributeCount,
 };
-constexpr Attribute texCoord(int unit) { return static_cast<Attribute>(kTexCoord0 + unit); }
+constexpr Attribute texCoord(int unit) {
+  return static_cast<Attribute>(kTexCoord0 + unit);
+}
 
 // One attribute: what an enabled array supplies, or the current value (sections 2.7, 2.8). How a type is read
-// follows from attribute and type: colors and BYTE/SHORT normals are normalised by Table 2.7, all else is taken
-// as it is, FIXED divided by 65536.
+// follows from attribute and type: colors and BYTE/SHORT normals are normalised by Table 2.7, all else is
+// taken as it is, FIXED divided by 65536.
 struct AttributeState {
   bool array = false;
-  uint8_t size = 4;              // components in memory
-  GLenum type = GL_FLOAT;        // GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_FIXED, GL_FLOAT
+  uint8_t size = 4;               // components in memory
+  GLenum type = GL_FLOAT;         // GL_BYTE, GL_UNSIGNED_BYTE, GL_SHORT, GL_FIXED, GL_FLOAT
   glm::vec4 current{0, 0, 0, 1};  // used when no array is enabled
 };
 
-// Section 2.12.1, Table 2.8. Position and direction are in eye coordinates, already transformed by the modelview
-// matrix that was current when they were set.
+// Section 2.12.1, Table 2.8. Position and direction are in eye coordinates, already transformed by the
+// modelview matrix that was current when they were set.
 struct Light {
   bool enabled = false;
   glm::vec4 ambient{0, 0, 0, 1};
@@ -80,7 +83,7 @@ struct Light {
   glm::dvec4 position{0, 0, 1, 0};
   glm::dvec3 spotDirection{0, 0, -1};
   float spotExponent = 0;
-  float spotCutoff = 180;  // degrees: [0, 90] or 180
+  float spotCutoff = 180;          // degrees: [0, 90] or 180
   glm::vec3 attenuation{1, 0, 0};  // constant, linear, quadratic
 };
 
@@ -115,8 +118,8 @@ struct TextureEnv {
   std::array<GLenum, 3> srcAlpha{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
   std::array<GLenum, 3> operandRgb{GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
   std::array<GLenum, 3> operandAlpha{GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
-  float rgbScale = 1;    // 1, 2 or 4
-  float alphaScale = 1;  // 1, 2 or 4
+  float rgbScale = 1;         // 1, 2 or 4
+  float alphaScale = 1;       // 1, 2 or 4
   bool coordReplace = false;  // section 3.3: point sprites
   float lodBias = 0;
 };
@@ -126,7 +129,7 @@ struct TextureUnit {
   TextureTarget target = TextureTarget::None;
   GLenum baseFormat = GL_RGBA;  // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA
   TextureEnv env;
-  bool texGen = false;                          // OES_texture_cube_map: s, t and r together
+  bool texGen = false;                        // OES_texture_cube_map: s, t and r together
   GLenum texGenMode = GL_REFLECTION_MAP_OES;  // or GL_NORMAL_MAP_OES
   glm::dmat4 matrix{1.0};
 };
@@ -143,7 +146,7 @@ struct Fog {
 struct Points {
   float size = 1;  // pixels
   float sizeMin = 0;
-  float sizeMax = 1;  // the initial value is the implementation's largest size: set by the front end
+  float sizeMax = 1;    // the initial value is the implementation's largest size: set by the front end
   float deviceMin = 1;  // what the device can rasterise, pixels: constant in a context
   float deviceMax = 1;
   float fadeThreshold = 1;
@@ -177,10 +180,12 @@ struct State {
   float alphaRef = 0;
 
   // What the fragment stage must know of the framebuffer.
-  uint8_t alphaBits = 8;        // the alpha test compares at this precision (section 4.1.4); 0 reads as 8
-  bool multisample = false;     // MULTISAMPLE enabled and samples > 1: smoothing becomes coverage (section 3.2.1)
+  uint8_t alphaBits = 8;  // the alpha test compares at this precision (section 4.1.4); 0 reads as 8
+  bool multisample =
+      false;  // MULTISAMPLE enabled and samples > 1: smoothing becomes coverage (section 3.2.1)
   bool sampleAlphaToOne = false;
-  bool framebufferYDown = false;  // row 0 of memory is the top row: windows; points count their t the other way
+  bool framebufferYDown =
+      false;  // row 0 of memory is the top row: windows; points count their t the other way
 };
 
 }  // namespace anteroom::gen

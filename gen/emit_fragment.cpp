@@ -1,0 +1,205 @@
+// Chapters 3.7-3.9 and the alpha test as GLSL.
+#include "gen/combiner.h"
+#include "gen/emit.h"
+#include "gen/gen.h"
+#include "gen/layout.h"
+#include "gen/reduce.h"
+
+namespace anteroom::gen {
+namespace {
+
+enum class Channel { Rgb, Alpha };
+
+std::string sourceName(Source source, int unit) {
+  switch (source) {
+    case Source::Previous:
+      return "color";
+    case Source::Primary:
+      return "primary";
+    case Source::Constant:
+      return fmt::format("constant{}", unit);
+    case Source::Zero:
+      return "vec4(0.0)";
+    case Source::One:
+      return "vec4(1.0)";
+    default:
+      return fmt::format("texel{}", sampledUnit(source));
+  }
+}
+
+// As a vec4 of which the channel's components count; an alpha combiner reads alpha anyway.
+std::string argumentText(Argument argument, int unit, bool replicateAlpha) {
+  std::string text = sourceName(argument.source, unit);
+  if (readsAlpha(argument.operand) && replicateAlpha) text += ".aaaa";
+  return complements(argument.operand) ? fmt::format("(1.0 - {})", text) : text;
+}
+
+// Table 3.17, scaled and clamped where it can leave [0, 1].
+std::string combinerText(const Combiner& combiner, Channel channel, int unit, Shader& shader) {
+  const bool replicate = channel == Channel::Rgb || combiner.function == Function::Dot3;
+  std::array<std::string, 3> text;
+  for (int i = 0; i < argumentCount(combiner.function); ++i)
+    text[i] = argumentText(combiner.arguments[i], unit, replicate);
+  const auto& [a, b, c] = text;
+  std::string result;
+  bool sum = false, inRange = true;
+  switch (combiner.function) {
+    case Function::Keep:
+      return "color";
+    case Function::Replace:
+      result = a;
+      break;
+    case Function::Modulate:
+      result = fmt::format("{} * {}", a, b);
+      break;
+    case Function::Interpolate:
+      result = fmt::format("mix({}, {}, {})", b, a, c);
+      break;
+    case Function::Add:
+      result = fmt::format("{} + {}", a, b), sum = true;
+      break;
+    case Function::AddSigned:
+      result = fmt::format("{} + {} - 0.5", a, b), sum = true;
+      break;
+    case Function::Subtract:
+      result = fmt::format("{} - {}", a, b), sum = true;
+      break;
+    case Function::Dot3:
+      result = fmt::format("{}({}, {})", shader.call("dot3"), a, b), inRange = false;
+      break;
+  }
+  if (combiner.scaleLog2) {
+    const int scale = 1 << combiner.scaleLog2;
+    result = sum ? fmt::format("{}.0 * ({})", scale, result) : fmt::format("{}.0 * {}", scale, result);
+  }
+  if (sum || !inRange || combiner.scaleLog2) result = fmt::format("{}({})", shader.call("saturate"), result);
+  return result;
+}
+
+// One component group of an expression.
+std::string component(const std::string& text, std::string_view which) {
+  const bool simple = text.find(' ') == std::string::npos || text.ends_with(')');
+  const bool grouped = simple && (text.find(' ') == std::string::npos || text.starts_with("saturate(") ||
+                                  text.starts_with("mix("));
+  return grouped ? fmt::format("{}.{}", text, which) : fmt::format("({}).{}", text, which);
+}
+
+void combine(const FragmentUnit& unit, int u, Shader& shader) {
+  const bool rgb = unit.rgb.function != Function::Keep;
+  const bool alpha = unit.alpha.function != Function::Keep;
+  if (!rgb && !alpha) return;
+  const std::string rgbText = combinerText(unit.rgb, Channel::Rgb, u, shader);
+  const std::string alphaText = combinerText(unit.alpha, Channel::Alpha, u, shader);
+  if (rgbText == alphaText)
+    shader.line("color = {};", rgbText);
+  else if (!alpha)
+    shader.line("color.rgb = {};", component(rgbText, "rgb"));
+  else if (!rgb)
+    shader.line("color.a = {};", component(alphaText, "a"));
+  else
+    shader.line("color = vec4({}, {});", component(rgbText, "rgb"), component(alphaText, "a"));
+}
+
+void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {
+  constexpr std::string_view kSamplers[] = {"", "sampler2D", "samplerCube", "sampler3D"};
+  shader.declareLine("layout(set = 1, binding = {}) uniform {} unit{};", u,
+                     kSamplers[static_cast<int>(unit.target)], u);
+  if (unit.coordinate == Coordinate::Point) {  // section 3.7.7: rho is 1
+    const char* coord = unit.target == TextureTarget::Texture2D ? "pointCoord" : "vec3(pointCoord, 0.0)";
+    shader.line("vec4 texel{} = textureLod(unit{}, {}, 0.0);", u, u, coord);
+    return;
+  }
+  shader.declareLine("layout(location = {}) in {} texCoord{};", kTexCoordLocation + u,
+                     coordinateType(unit.coordinate), u);
+  std::string coord = fmt::format("texCoord{}", u);
+  if (unit.coordinate == Coordinate::Stq) coord = fmt::format("{}({})", shader.call("divideSt"), coord);
+  if (unit.coordinate == Coordinate::Strq) coord = fmt::format("{}({})", shader.call("divideStr"), coord);
+  shader.line("vec4 texel{} = texture(unit{}, {});", u, u, coord);
+}
+
+void readPrimary(const FragmentKey& key, Shader& shader) {
+  if (!readsPrimaryColor(key)) {
+    shader.line("vec4 color = vec4(0.0);");
+    return;
+  }
+  const std::string_view flat = key.flatColor ? "flat " : "";
+  shader.declareLine("layout(location = {}) {}in vec4 frontColor;", kFrontColorLocation, flat);
+  if (key.twoSided)
+    shader.declareLine("layout(location = {}) {}in vec4 backColor;", kBackColorLocation, flat);
+  const std::string_view value = key.twoSided ? "gl_FrontFacing ? frontColor : backColor" : "frontColor";
+  bool primary = false;
+  for (const FragmentUnit& unit : key.units)
+    forEachArgument(unit, [&](Argument a) { primary |= a.source == Source::Primary; });
+  if (primary) shader.line("vec4 primary = {};", value);
+  shader.line("vec4 color = {};", primary ? "primary" : value);
+}
+
+void fog(FogMode mode, Shader& shader) {
+  if (mode == FogMode::None) return;
+  shader.declareLine("layout(location = {}) in float fogDepth;", kFogDepthLocation);
+  const std::string_view function = shader.call(mode == FogMode::Linear ? "fogLinear"
+                                                : mode == FogMode::Exp  ? "fogExp"
+                                                                        : "fogExp2");
+  const std::string_view parameters = mode == FogMode::Linear ? "fogEnd, fogScale" : "fogDensity";
+  shader.line("color.rgb = mix(fogColor, color.rgb, {}(fogDepth, {}));", function, parameters);
+}
+
+void shapePoint(PointShape shape, Shader& shader) {
+  if (shape == PointShape::Square) return;
+  shader.declareLine("layout(location = {}) flat in float diameter;", kDiameterLocation);
+  if (shape == PointShape::Smooth)
+    shader.line("color.a *= {}(gl_PointCoord, diameter);", shader.call("pointCoverage"));
+  else
+    shader.line("gl_SampleMask[0] = {}(gl_PointCoord, diameter);", shader.call("samplesInCircle"));
+}
+
+void alphaTest(AlphaTest test, Shader& shader) {
+  if (test == AlphaTest::Always) return;
+  constexpr std::string_view kOperators[] = {"", "", "<", "==", "<=", ">", "!=", ">="};
+  shader.line("if (!({}(color.a, alphaScale) {} alphaReference)) discard;", shader.call("roundedAlpha"),
+              kOperators[static_cast<int>(test)]);
+}
+
+void discardClipped(int planes, Shader& shader) {
+  for (int i = 0; i < (planes + 3) / 4; ++i) {
+    shader.declareLine("layout(location = {}) in vec4 clipDistances{};", kClipLocation + i, i);
+    shader.line("if (any(lessThan(clipDistances{}, vec4(0.0)))) discard;", i);
+  }
+}
+
+}  // namespace
+
+std::string emitFragment(const FragmentKey& key) {
+  Shader shader(describe(key));
+  shader.declare(declareFragmentConstants(key));
+  shader.declareLine("layout(location = 0) out vec4 fragment;");
+  if (key.alphaTest == AlphaTest::Never) {
+    shader.line("fragment = vec4(0.0);");
+    shader.line("discard;");
+    return shader.text();
+  }
+  bool sprite = false;
+  for (const FragmentUnit& unit : key.units) sprite |= unit.coordinate == Coordinate::Point;
+  if (sprite)
+    shader.line("vec2 pointCoord = {};",
+                key.pointYUp ? "vec2(gl_PointCoord.x, 1.0 - gl_PointCoord.y)" : "gl_PointCoord");
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (key.units[u].target != TextureTarget::None) sampleTexture(key.units[u], u, shader);
+  readPrimary(key, shader);
+  for (int u = 0; u < kMaxTextureUnits; ++u) combine(key.units[u], u, shader);
+  fog(key.fog, shader);
+  shapePoint(key.pointShape, shader);
+  discardClipped(key.discardPlanes, shader);
+  alphaTest(key.alphaTest, shader);
+  shader.line("fragment = color;");
+  return shader.text();
+}
+
+uint32_t unitsSampled(const FragmentKey& key) {
+  uint32_t mask = 0;
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (key.units[u].target != TextureTarget::None) mask |= 1u << u;
+  return mask;
+}
+
+}  // namespace anteroom::gen

@@ -1,0 +1,274 @@
+// Chapter 2 as GLSL: transformation, lighting, texture coordinates, point size, clip planes.
+#include "gen/emit.h"
+#include "gen/gen.h"
+#include "gen/layout.h"
+#include "gen/reduce.h"
+
+namespace anteroom::gen {
+namespace {
+
+struct AttributeNames {
+  std::string name;  // as the shader's code knows it
+  std::string_view swizzle, type;
+};
+
+AttributeNames attributeNames(int attribute) {
+  switch (attribute) {
+    case kPosition:
+      return {"position", "", "vec4"};
+    case kNormal:
+      return {"normal", ".xyz", "vec3"};
+    case kColor:
+      return {"color", "", "vec4"};
+    case kPointSize:
+      return {"size", ".x", "float"};
+    default:
+      return {fmt::format("coord{}", attribute - kTexCoord0), "", "vec4"};
+  }
+}
+
+std::string_view conversion(Fetch fetch) {
+  switch (fetch) {
+    case Fetch::Fixed:
+      return "fromFixed";
+    case Fetch::FixedW1:
+      return "fromFixedW1";
+    case Fetch::IntW1:
+      return "fromIntW1";
+    case Fetch::NormedByte:
+      return "fromNormedByte";
+    case Fetch::NormedShort:
+      return "fromNormedShort";
+    default:
+      return "vec4";
+  }
+}
+
+bool isArray(Fetch fetch) {
+  return fetch != Fetch::Unread && fetch != Fetch::Constant;
+}
+
+// Declares what arrays supply and converts it, so that the rest knows attributes by their names only.
+void fetchAttributes(const VertexKey& key, Shader& shader) {
+  for (int a = 0; a < kAttributeCount; ++a) {
+    const Fetch fetch = key.fetch[a];
+    if (!isArray(fetch)) continue;
+    const auto [name, swizzle, type] = attributeNames(a);
+    if (fetch == Fetch::Float) {
+      shader.declareLine("layout(location = {}) in {} {};", a, type, name);
+      continue;
+    }
+    shader.declareLine("layout(location = {}) in {} {}Array;", a, fetch == Fetch::Uint ? "uvec4" : "ivec4",
+                       name);
+    const std::string_view convert = conversion(fetch);
+    if (convert != "vec4") shader.call(convert);
+    shader.line("{} {} = {}({}Array){};", type, name, convert, name, swizzle);
+  }
+}
+
+// One light's share of the sums `matte` (without the material under color material) and `shiny`.
+std::string lightLines(const VertexKey& key, int i, Shader& shader) {
+  const auto has = [&](uint8_t mask) { return (mask >> i & 1) != 0; };
+  std::string text, factor, half = fmt::format("light{}Half", i);
+  std::string toLight = fmt::format("light{}Direction", i);
+  if (has(key.positional)) {
+    toLight = fmt::format("toLight{}", i);
+    const std::string offset = fmt::format("light{}Position - point", i);
+    text += fmt::format("  vec3 {} = {}({});\n", toLight, shader.call("safeNormalize"), offset);
+    if (has(key.attenuated))
+      factor = fmt::format("{}(light{}Attenuation, length({}))", shader.call("attenuation"), i, offset);
+    if (key.shininess) half = fmt::format("{}({})", shader.call("halfway"), toLight);
+  }
+  if (has(key.spot)) {
+    if (!factor.empty()) factor += " * ";
+    const std::string cone = fmt::format("{}, light{}SpotDirection, light{}CosCutoff", toLight, i, i);
+    factor += has(key.spotExponent) ? fmt::format("{}({}, light{}SpotExponent)", shader.call("spot"), cone, i)
+                                    : fmt::format("{}({})", shader.call("spotCone"), cone);
+  }
+  const std::string diffuse =
+      fmt::format("{}(normal, {}) * light{}Diffuse", shader.call("facing"), toLight, i);
+  std::string scale;
+  if (factor.empty()) {
+    text += fmt::format("  matte += {};\n", diffuse);
+  } else {
+    scale = fmt::format("factor{} * ", i);
+    text += fmt::format("  float factor{} = {};\n", i, factor);
+    text += fmt::format("  matte += {}(light{}Ambient + {});\n", scale, i, diffuse);
+  }
+  if (!key.specular) return text;
+  const std::string highlight =
+      key.shininess ? fmt::format("{}(normal, {}, {}, shininess)", shader.call("highlight"), toLight, half)
+                    : fmt::format("{}(normal, {})", shader.call("flatHighlight"), toLight);
+  return text + fmt::format("  shiny += {}{} * light{}Specular;\n", scale, highlight, i);
+}
+
+// Section 2.12.1 as a function of the normal, for one side.
+void defineIlluminate(const VertexKey& key, Shader& shader) {
+  std::string text = "vec4 illuminate(";
+  std::string parameters = key.lights ? "vec3 normal" : "";
+  if (key.positional) parameters += ", vec3 point";
+  if (key.colorMaterial) parameters += parameters.empty() ? "vec4 color" : ", vec4 color";
+  text += parameters + ") {\n";
+  text += key.colorMaterial ? "  vec3 matte = sceneAmbient;\n" : "  vec3 matte = sceneColor.rgb;\n";
+  if (key.specular) text += "  vec3 shiny = vec3(0.0);\n";
+  for (int i = 0; i < key.lights; ++i) text += lightLines(key, i, shader);
+  std::string sum = key.colorMaterial ? "emission + color.rgb * matte" : "matte";
+  if (key.specular) sum += " + shiny";
+  const char* alpha = key.colorMaterial ? "color.a" : "sceneColor.a";
+  text += fmt::format("  return {}(vec4({}, {}));\n}}\n\n", shader.call("saturate"), sum, alpha);
+  shader.define(text);
+}
+
+void writeColor(const VertexKey& key, Shader& shader) {
+  if (key.color == VertexColor::None) return;
+  shader.declareLine("layout(location = {}) out vec4 frontColor;", kFrontColorLocation);
+  if (key.color == VertexColor::Unlit) {
+    if (key.fetch[kColor] == Fetch::Constant)
+      shader.line("frontColor = color;");
+    else
+      shader.line("frontColor = {}(color);", shader.call("saturate"));
+    return;
+  }
+  defineIlluminate(key, shader);
+  std::string rest = key.positional ? ", point" : "";
+  if (key.colorMaterial) rest += key.lights ? ", color" : "color";
+  shader.line("frontColor = illuminate({}{});", key.lights ? "eyeNormal" : "", rest);
+  if (!key.twoSided) return;
+  shader.declareLine("layout(location = {}) out vec4 backColor;", kBackColorLocation);
+  shader.line("backColor = illuminate(-eyeNormal{});", rest);
+}
+
+std::string_view swizzle(Coordinate coordinate) {
+  switch (coordinate) {
+    case Coordinate::St:
+      return ".st";
+    case Coordinate::Stq:
+      return ".stq";
+    case Coordinate::Str:
+      return ".stp";
+    default:
+      return "";
+  }
+}
+
+void writeTexCoord(const VertexKey& key, int u, Shader& shader) {
+  const VertexUnit& unit = key.units[u];
+  std::string coord = fmt::format("coord{}", u);
+  if (unit.texGen != TexGen::None) {
+    const std::string q = unit.q1 ? "1.0" : coord + ".q";
+    const std::string direction = unit.texGen == TexGen::Normal
+                                      ? "eyeNormal"
+                                      : fmt::format("{}(point, eyeNormal)", shader.call("reflection"));
+    coord = fmt::format("vec4({}, {})", direction, q);
+  }
+  shader.declareLine("layout(location = {}) out {} texCoord{};", kTexCoordLocation + u,
+                     coordinateType(unit.output), u);
+  if (unit.matrix)
+    shader.line("texCoord{} = {} * textureMatrix{};", u, coord, u);
+  else
+    shader.line("texCoord{} = {}{};", u, coord, swizzle(unit.output));
+}
+
+void writePointSize(const VertexKey& key, Shader& shader) {
+  if (key.pointSize == PointSize::None) return;
+  std::string diameter = key.pointSize == PointSize::One ? "1.0" : "size";
+  if (key.pointSize == PointSize::Varying) {
+    if (key.pointAttenuation)
+      diameter = fmt::format("{}(size, sizeAttenuation, length(point))", shader.call("attenuatedSize"));
+    diameter = fmt::format("clamp({}, sizeRange.x, sizeRange.y)", diameter);
+    if (key.pointRound) diameter = fmt::format("{}({})", shader.call("wholeSize"), diameter);
+  }
+  if (key.pointShape == PointShape::Square) {
+    shader.line("gl_PointSize = {};", diameter);
+    return;
+  }
+  shader.declareLine("layout(location = {}) flat out float diameter;", kDiameterLocation);
+  shader.line("diameter = {};", diameter);
+  // A smooth point also covers parts of the pixels around its square.
+  shader.line("gl_PointSize = diameter{};", key.pointShape == PointShape::Smooth ? " + 1.0" : "");
+}
+
+void writeClipDistances(const VertexKey& key, Shader& shader) {
+  const auto distance = [](int i) { return fmt::format("dot(clipPlane{}, position)", i); };
+  if (!key.clipVaryings) {
+    for (int i = 0; i < key.clipPlanes; ++i) shader.line("gl_ClipDistance[{}] = {};", i, distance(i));
+    return;
+  }
+  for (int first = 0; first < key.clipPlanes; first += 4) {
+    shader.declareLine("layout(location = {}) out vec4 clipDistances{};", kClipLocation + first / 4,
+                       first / 4);
+    std::string parts;
+    for (int i = first; i < first + 4; ++i)
+      parts += (i == first ? "" : ", ") + (i < key.clipPlanes ? distance(i) : std::string("0.0"));
+    shader.line("clipDistances{} = vec4({});", first / 4, parts);
+  }
+}
+
+// Every shader computes the position by the same expression: passes of one scene must agree on depth.
+void declarePosition(const VertexKey& key, Shader& shader) {
+  std::string members = "  vec4 gl_Position;\n";
+  if (key.pointSize != PointSize::None) members += "  float gl_PointSize;\n";
+  if (key.clipPlanes && !key.clipVaryings)
+    members += fmt::format("  float gl_ClipDistance[{}];\n", key.clipPlanes);
+  shader.declareLine("out gl_PerVertex {{\n{}}};\ninvariant gl_Position;", members);
+}
+
+void writeEye(const VertexKey& key, Shader& shader) {
+  if (needsEye(key)) {
+    shader.line("vec4 eye = modelview * position;");
+    shader.line("vec3 point = {}(eye);", shader.call("eyePoint"));
+  }
+  if (isArray(key.fetch[kNormal])) {
+    if (key.normalize)
+      shader.line("vec3 eyeNormal = {}(normalMatrix * normal);", shader.call("safeNormalize"));
+    else
+      shader.line("vec3 eyeNormal = normalMatrix * normal;");
+  }
+}
+
+void writeFogDepth(const VertexKey& key, Shader& shader) {
+  if (!key.fog) return;
+  shader.declareLine("layout(location = {}) out float fogDepth;", kFogDepthLocation);
+  shader.line("fogDepth = {};", needsEye(key) ? "eye.z" : "dot(eyeDepth, position)");
+}
+
+}  // namespace
+
+std::string emitVertex(const VertexKey& key) {
+  Shader shader(describe(key));
+  shader.declare(declarePush(key));
+  shader.declare(declareVertexConstants(key));
+  fetchAttributes(key, shader);
+  declarePosition(key, shader);
+  shader.line("gl_Position = modelviewProjection * position;");
+  writeEye(key, shader);
+  writeColor(key, shader);
+  writeFogDepth(key, shader);
+  for (int u = 0; u < kMaxTextureUnits; ++u)
+    if (key.units[u].output != Coordinate::None) writeTexCoord(key, u, shader);
+  writeClipDistances(key, shader);
+  writePointSize(key, shader);
+  return shader.text();
+}
+
+uint32_t attributesRead(const VertexKey& key) {
+  uint32_t mask = 0;
+  for (int a = 0; a < kAttributeCount; ++a)
+    if (isArray(key.fetch[a])) mask |= 1u << a;
+  return mask;
+}
+
+InputClass inputClass(const VertexKey& key, Attribute attribute) {
+  switch (key.fetch[attribute]) {
+    case Fetch::Unread:
+    case Fetch::Constant:
+    case Fetch::Float:
+      return InputClass::Float;
+    case Fetch::Uint:
+      return InputClass::Uint;
+    default:
+      return InputClass::Int;
+  }
+}
+
+}  // namespace anteroom::gen
