@@ -92,7 +92,8 @@ struct ClientArray {
   GLenum type = GL_FLOAT;
   GLsizei stride = 0;
   const void* pointer = nullptr;
-  std::shared_ptr<BufferObject> buffer;
+  bool isOffset = false;                 // pointer was given with a buffer bound: never client memory
+  std::shared_ptr<BufferObject> buffer;  // null also when that buffer has been deleted
 };
 
 struct VertexArrays {

@@ -49,7 +49,7 @@ void syncArray(Context& c, int index) {
   render::VertexArray& source = c.state.arrays[index];
 
   render::Buffer* buffer = array.buffer ? array.buffer->store.get() : nullptr;
-  const bool readable = array.enabled && (array.buffer ? buffer != nullptr : array.pointer != nullptr);
+  const bool readable = array.enabled && (array.isOffset ? buffer != nullptr : array.pointer != nullptr);
   if (!readable) {
     c.set(attribute.array, false, gen::kGroupArrays);
     return;
@@ -121,6 +121,7 @@ void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum t
   array.type = type;
   array.stride = stride;
   array.pointer = pointer;
+  array.isOffset = c.arrayBuffer != nullptr;
   if (array.buffer != c.arrayBuffer) array.buffer = c.arrayBuffer;
   if (array.enabled) c.staleArrays |= 1u << index;
 }
