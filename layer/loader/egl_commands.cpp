@@ -22,18 +22,20 @@ const char* pathOf(const void* address) {
 const CommandTable* findTable() {
   const char* self = pathOf(reinterpret_cast<const void*>(&findTable));
   if (glAnteroomEglTable == nullptr) {
-    std::fprintf(stderr,
-                 "anteroom: the libGLESv1_CM.so.1 that was loaded for %s is not Anteroom's. Put the directory of "
-                 "Anteroom's two libraries before the other one in LD_LIBRARY_PATH.\n",
-                 self);
+    std::fprintf(
+        stderr,
+        "anteroom: the libGLESv1_CM.so.1 that was loaded for %s is not Anteroom's. Put the directory of "
+        "Anteroom's two libraries before the other one in LD_LIBRARY_PATH.\n",
+        self);
     return nullptr;
   }
   const CommandTable* table = glAnteroomEglTable();
   if (table->version != kTableVersion || table->size != sizeof(CommandTable)) {
-    std::fprintf(stderr,
-                 "anteroom: %s (interface %u) and %s (interface %u) are of different versions. Install both from "
-                 "the same build.\n",
-                 self, kTableVersion, pathOf(reinterpret_cast<const void*>(glAnteroomEglTable)), table->version);
+    std::fprintf(
+        stderr,
+        "anteroom: %s (interface %u) and %s (interface %u) are of different versions. Install both from "
+        "the same build.\n",
+        self, kTableVersion, pathOf(reinterpret_cast<const void*>(glAnteroomEglTable)), table->version);
     return nullptr;
   }
   return table;
@@ -45,9 +47,9 @@ const CommandTable* const table = findTable();
 }  // namespace anteroom::egl
 
 // Without a table every command fails with its null result.
-#define ANTEROOM_JUMP(Result, name, parameters, arguments)                   \
-  ANTEROOM_EXPORT Result EGLAPIENTRY name parameters {                       \
-    const auto* table = anteroom::egl::table;                                \
+#define ANTEROOM_JUMP(Result, name, parameters, arguments)                           \
+  ANTEROOM_EXPORT Result EGLAPIENTRY name parameters {                               \
+    const auto* table = anteroom::egl::table;                                        \
     return __builtin_expect(table != nullptr, 1) ? table->name arguments : Result{}; \
   }
 extern "C" {

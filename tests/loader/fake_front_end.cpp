@@ -1,0 +1,122 @@
+#include "tests/loader/fake_front_end.h"
+
+#include "layer/egl/renderer.h"
+
+namespace anteroom {
+namespace fake {
+
+World& world() {
+  static World instance;
+  return instance;
+}
+
+namespace {
+
+struct Image : render::Image {
+  explicit Image(const render::ImageDesc& desc) : render::Image(desc) { ++world().images; }
+  ~Image() override { --world().images; }
+};
+
+struct Renderer : render::Context {
+  bool draw(render::State&, const render::DrawCall&) override { return true; }
+  bool clear(render::State&, GLbitfield) override { return true; }
+  bool readPixels(const render::Framebuffer&, const render::Rect&, render::Format, void*, size_t) override {
+    return true;
+  }
+  bool upload(render::Image&, const render::Region&, const void*, size_t, size_t) override { return true; }
+  bool copyFromFramebuffer(render::Image&, const render::Region&, const render::Framebuffer&, int,
+                           int) override {
+    return true;
+  }
+  bool copyLevel(render::Image&, int, render::Image&, int) override { return true; }
+  bool generateMipmaps(render::Image&) override { return true; }
+  void flush() override { ++world().flushes; }
+  void finish() override { ++world().finishes; }
+  uint64_t insertFence() override { return ++fences; }
+  bool waitFence(uint64_t, uint64_t) override { return world().fencesPass; }
+  const render::Stats& stats() const override { return counted; }
+  uint64_t fences = 0;
+  render::Stats counted;
+};
+
+struct Device : render::Device {
+  Device() { ++world().devices; }
+  ~Device() override { --world().devices; }
+  const render::Caps& caps() const override { return world().caps; }
+  std::shared_ptr<render::Image> createImage(const render::ImageDesc& desc) override {
+    return world().noMemory ? nullptr : std::make_shared<Image>(desc);
+  }
+  std::shared_ptr<render::Buffer> createBuffer(size_t, const void*) override { return nullptr; }
+  std::unique_ptr<render::Context> createContext() override { return std::make_unique<Renderer>(); }
+};
+
+std::unique_ptr<render::Device> createFake(const egl::RendererOptions&, std::string& error) {
+  if (!world().noDevice) return std::make_unique<Device>();
+  error = "no fake device, as ordered";
+  return nullptr;
+}
+
+[[maybe_unused]] const bool added = egl::addRenderer("fake", createFake);
+
+}  // namespace
+}  // namespace fake
+
+namespace gl {
+
+class Context {
+ public:
+  Context() { ++fake::world().contexts; }
+  ~Context() { --fake::world().contexts; }
+  fake::Renderer renderer;
+  render::Framebuffer framebuffer;
+  std::shared_ptr<render::Image> texture;
+};
+
+namespace {
+thread_local Context* currentOfThread = nullptr;
+}
+
+std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device&, Context*, const ContextOptions&) {
+  Context* context = fake::world().noMemory ? nullptr : new Context;
+  return {context, [](Context* old) { delete old; }};
+}
+Context* currentContext() {
+  return currentOfThread;
+}
+void makeCurrent(Context* context) {
+  if (currentOfThread != nullptr && currentOfThread != context) flush(*currentOfThread);
+  currentOfThread = context;
+}
+void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer) {
+  context.framebuffer = framebuffer == nullptr ? render::Framebuffer{} : *framebuffer;
+}
+bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>& image, bool) {
+  context.texture = image;
+  return true;
+}
+void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& image) {
+  if (context.texture == image) context.texture.reset();
+}
+render::Context& rendererOf(Context& context) {
+  return context.renderer;
+}
+void flush(Context& context) {
+  context.renderer.flush();
+}
+void finish(Context& context) {
+  context.renderer.finish();
+}
+Proc procAddress(std::string_view) {
+  return nullptr;
+}
+
+}  // namespace gl
+
+const render::Framebuffer& fake::currentFramebuffer() {
+  return gl::currentOfThread->framebuffer;
+}
+void fake::deleteTexture() {
+  gl::currentOfThread->texture.reset();
+}
+
+}  // namespace anteroom
