@@ -47,10 +47,15 @@ const CommandTable* const table = findTable();
 }  // namespace anteroom::egl
 
 // Without a table every command fails with its null result.
-#define ANTEROOM_JUMP(Result, name, parameters, arguments)                           \
-  ANTEROOM_EXPORT Result EGLAPIENTRY name parameters {                               \
-    const auto* table = anteroom::egl::table;                                        \
-    return __builtin_expect(table != nullptr, 1) ? table->name arguments : Result{}; \
+template <typename Result>
+static Result failed() {
+  return Result{};
+}
+
+#define ANTEROOM_JUMP(Result, name, parameters, arguments)                                   \
+  ANTEROOM_EXPORT Result EGLAPIENTRY name parameters {                                       \
+    const auto* table = anteroom::egl::table;                                                \
+    return __builtin_expect(table != nullptr, 1) ? table->name arguments : failed<Result>(); \
   }
 extern "C" {
 ANTEROOM_EGL_COMMANDS(ANTEROOM_JUMP)
