@@ -78,7 +78,7 @@ void bind(Binding next) {
     }
   }
   gl::makeCurrent(binding->context->gl.get());
-  gl::setDefaultFramebuffer(*binding->context->gl, binding->draw ? &binding->draw->framebuffer() : nullptr);
+  useSurfaces(*binding);
   binding->context->thread = &thread;
   for (const auto& surface : {binding->draw, binding->read}) {
     if (surface != nullptr) surface->thread = &thread;
@@ -91,6 +91,11 @@ void bind(Binding next) {
 
 Thread& thisThread() {
   return thread;
+}
+
+void useSurfaces(const Binding& binding) {
+  const auto framebufferOf = [](const auto& surface) { return surface ? &surface->framebuffer() : nullptr; };
+  gl::setDefaultFramebuffer(*binding.context->gl, framebufferOf(binding.draw), framebufferOf(binding.read));
 }
 
 }  // namespace anteroom::egl

@@ -24,6 +24,9 @@ struct Thread {
 
 Thread& thisThread();
 
+// Tells GL of the binding's framebuffers.
+void useSurfaces(const Binding& binding);
+
 // Null: none.
 inline const Binding* currentBinding() {
   return thisThread().binding;

@@ -288,9 +288,7 @@ EGLBoolean EGLAPIENTRY eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLi
       case EGL_MIPMAP_LEVEL: {
         require(found->setMipmapLevel(value), EGL_BAD_ALLOC);
         const Binding* binding = currentBinding();
-        if (binding != nullptr && binding->draw == found) {
-          gl::setDefaultFramebuffer(*binding->context->gl, &found->framebuffer());
-        }
+        if (binding != nullptr && (binding->draw == found || binding->read == found)) useSurfaces(*binding);
         break;
       }
       case EGL_MULTISAMPLE_RESOLVE:

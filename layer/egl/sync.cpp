@@ -47,7 +47,7 @@ EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Inte
 }  // namespace
 
 Sync::Sync(const std::shared_ptr<Context>& context)
-    : context_(context), fence_(gl::rendererOf(*context->gl).insertFence()) {
+    : context_(context), fence_(gl::insertFence(*context->gl)) {
   context->fenced = true;
 }
 

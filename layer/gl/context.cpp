@@ -80,9 +80,10 @@ void updateMultisample(Context& c) {
   c.set(c.state.fixed.sampleAlphaToOne, on && c.state.ops.sampleAlphaToOne, kGroups);
 }
 
-void useFramebuffer(Context& c, const render::Framebuffer* framebuffer) {
+void useFramebuffer(Context& c, const render::Framebuffer* framebuffer, const render::Framebuffer* read) {
   c.hasFramebuffer = framebuffer != nullptr;
   c.state.framebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
+  c.readFramebuffer = read ? *read : c.state.framebuffer;
   c.mark(gen::kGroupFramebuffer);
 
   const render::Framebuffer& now = c.state.framebuffer;

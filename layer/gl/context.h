@@ -144,6 +144,8 @@ class Context {
   bool hasFramebuffer = false;  // state.framebuffer is one
   bool hadFramebuffer = false;  // viewport and scissor have their initial values
   render::Framebuffer defaultFramebuffer;
+  render::Framebuffer
+      readFramebuffer;  // where pixels come from: state.framebuffer, but for EGL's read surface
 
   // Section 2.10.2.
   GLenum matrixMode = GL_MODELVIEW;
@@ -173,8 +175,10 @@ class Context {
   std::string rendererName;
 };
 
-// Makes `framebuffer` (null: none) what draws go to, and follows what the state knows of it.
-void useFramebuffer(Context& context, const render::Framebuffer* framebuffer);
+// Makes `framebuffer` (null: none) what draws go to and, unless there is a `read`, what pixels are read from,
+// and follows what the state knows of it.
+void useFramebuffer(Context& context, const render::Framebuffer* framebuffer,
+                    const render::Framebuffer* read = nullptr);
 // Derived multisample state: section 4.1.3 applies only when MULTISAMPLE is on and there is more than one
 // sample.
 void updateMultisample(Context& context);

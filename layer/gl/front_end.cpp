@@ -55,9 +55,10 @@ void makeCurrent(Context* context) {
   currentContextOfThread = context;
 }
 
-void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer) {
+void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
+                           const render::Framebuffer* read) {
   c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
-  useFramebuffer(c, framebuffer);
+  useFramebuffer(c, framebuffer, read);
   if (!framebuffer || c.hadFramebuffer) return;
   c.hadFramebuffer = true;
   c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};
@@ -77,6 +78,11 @@ void flush(Context& c) {
 void finish(Context& c) {
   ShareLock lock(*c.group);
   c.renderer->finish();
+}
+
+uint64_t insertFence(Context& c) {
+  ShareLock lock(*c.group);
+  return c.renderer->insertFence();
 }
 
 }  // namespace anteroom::gl

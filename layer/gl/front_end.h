@@ -26,17 +26,20 @@ std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device& devic
 // The calling thread's current context; null: none. Commands without a current context do nothing.
 Context* currentContext();
 
-// Makes `context` (null: none) the calling thread's. EGL has checked that no other thread has it. The former context
-// is flushed when it changes.
+// Makes `context` (null: none) the calling thread's. EGL has checked that no other thread has it. The former
+// context is flushed when it changes.
 void makeCurrent(Context* context);
 
-// The window-system framebuffer that name 0 means; null: none (EGL_KHR_surfaceless_context). At the first call with a
-// framebuffer in a context's life, viewport and scissor take its size (sections 2.10.1, 4.1.2). It is copied; the
-// bits that queries such as RED_BITS give come from its images.
-void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer);
+// The window-system framebuffer that name 0 means; null: none (EGL_KHR_surfaceless_context). At the first
+// call with a framebuffer in a context's life, viewport and scissor take its size (sections 2.10.1, 4.1.2).
+// It is copied; the bits that queries such as RED_BITS give come from its images. `read` (null: the same) is
+// what pixels are read and copied from.
+void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer,
+                           const render::Framebuffer* read = nullptr);
 
-// eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the texture had
-// is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it is still bound.
+// eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the
+// texture had is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it
+// is still bound.
 bool bindTexImage(Context& context, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha);
 void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& image);
 
@@ -45,6 +48,9 @@ render::Context& rendererOf(Context& context);
 // glFlush and glFinish for EGL's waits and swaps.
 void flush(Context& context);
 void finish(Context& context);
+
+// A fence after all commands so far; they are flushed. Any thread may wait for it in rendererOf(context).
+uint64_t insertFence(Context& context);
 
 using Proc = void (*)();
 // The address of a gl* command, null when there is none of that name.

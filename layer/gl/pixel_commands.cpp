@@ -36,7 +36,7 @@ GL_API void GL_APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei he
   if (!isPixelFormat(format) || !isPixelType(type)) return c->setError(GL_INVALID_ENUM);
   if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
-  const render::Framebuffer& framebuffer = c->state.framebuffer;
+  const render::Framebuffer& framebuffer = c->readFramebuffer;
   const PixelFormat own = implementationReadFormat(framebuffer);
   const bool rgba8 = format == GL_RGBA && type == GL_UNSIGNED_BYTE;
   if (!rgba8 && (format != own.format || type != own.type)) return c->setError(GL_INVALID_OPERATION);

@@ -120,7 +120,7 @@ bool Texture::replace(Context& c, int face, int level, const Rect& rect, const P
 
 bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect& rect, GLenum internalFormat,
                                      Format format) {
-  const render::Framebuffer& source = c.state.framebuffer;
+  const render::Framebuffer& source = c.readFramebuffer;
   const int width = rect.width, height = rect.height;
   if (width == 0 || height == 0)
     return specify(c, face, level, width, height, internalFormat, format, nullptr);
@@ -165,8 +165,7 @@ bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int
   if (!reside(c, face, level)) return false;
   const Place place = placeOf(face, level);
   const render::Region region{place.level, place.layer, x, y, 0, rect.width, rect.height, 1};
-  if (!c.renderer->copyFromFramebuffer(*place.image, region, c.state.framebuffer, rect.x, rect.y))
-    return false;
+  if (!c.renderer->copyFromFramebuffer(*place.image, region, c.readFramebuffer, rect.x, rect.y)) return false;
   if (level == 0) baseChanged(c, face);
   return true;
 }

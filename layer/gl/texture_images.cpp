@@ -112,7 +112,7 @@ GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum inte
   if (!validLevel(texture, level) || !validSize(*c, image.slot, level, width, height) || border != 0) {
     return c->setError(GL_INVALID_VALUE);
   }
-  const render::Framebuffer& framebuffer = c->state.framebuffer;
+  const render::Framebuffer& framebuffer = c->readFramebuffer;
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (!canCopy(framebuffer, internalformat)) return c->setError(GL_INVALID_OPERATION);
 
@@ -135,7 +135,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   const TextureLevel& t = texture.at(image.face, level);
   // Undefined levels have no base format; paletted ones take no sub-images (OES_compressed_paletted_texture).
-  if (!isBaseFormat(t.internalFormat) || !canCopy(c->state.framebuffer, t.internalFormat)) {
+  if (!isBaseFormat(t.internalFormat) || !canCopy(c->readFramebuffer, t.internalFormat)) {
     return c->setError(GL_INVALID_OPERATION);
   }
   if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE);

@@ -130,7 +130,8 @@ class Context {
   virtual void flush() = 0;
   virtual void finish() = 0;
 
-  // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed.
+  // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed. Any thread may
+  // wait, also while another uses the context.
   virtual uint64_t insertFence() = 0;
   virtual bool waitFence(uint64_t fence, uint64_t timeout) = 0;
 

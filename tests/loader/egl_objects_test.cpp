@@ -102,6 +102,17 @@ TEST_F(EglObjects, SurfacesHaveNoImagesBeforeTheyAreCurrent) {
   EXPECT_EQ(framebuffer.depth.image->desc().format, Format::Depth24Stencil8);
 }
 
+TEST_F(EglObjects, DrawAndReadSurfacesMayDiffer) {
+  const EGLSurface draw = pbuffer(), read = pbuffer();
+  ASSERT_TRUE(eglMakeCurrent(display, draw, read, context()));
+  EXPECT_NE(fake::currentFramebuffer().color.image, fake::currentReadFramebuffer().color.image);
+  EXPECT_EQ(eglGetCurrentSurface(EGL_DRAW), draw);
+  EXPECT_EQ(eglGetCurrentSurface(EGL_READ), read);
+  ASSERT_TRUE(eglSwapBuffers(display, draw));
+  EXPECT_FALSE(eglSwapBuffers(display, read));
+  EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
+}
+
 TEST_F(EglObjects, DestroyedWhileCurrentLivesUntilReleased) {
   const EGLSurface surface = pbuffer();
   const EGLContext current = context();

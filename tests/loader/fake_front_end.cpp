@@ -68,7 +68,7 @@ class Context {
   Context() { ++fake::world().contexts; }
   ~Context() { --fake::world().contexts; }
   fake::Renderer renderer;
-  render::Framebuffer framebuffer;
+  render::Framebuffer framebuffer, readFramebuffer;
   std::shared_ptr<render::Image> texture;
 };
 
@@ -87,7 +87,9 @@ void makeCurrent(Context* context) {
   if (currentOfThread != nullptr && currentOfThread != context) flush(*currentOfThread);
   currentOfThread = context;
 }
-void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer) {
+void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer,
+                           const render::Framebuffer* read) {
+  context.readFramebuffer = read == nullptr ? render::Framebuffer{} : *read;
   context.framebuffer = framebuffer == nullptr ? render::Framebuffer{} : *framebuffer;
 }
 bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>& image, bool) {
@@ -106,6 +108,9 @@ void flush(Context& context) {
 void finish(Context& context) {
   context.renderer.finish();
 }
+uint64_t insertFence(Context& context) {
+  return context.renderer.insertFence();
+}
 Proc procAddress(std::string_view) {
   return nullptr;
 }
@@ -114,6 +119,9 @@ Proc procAddress(std::string_view) {
 
 const render::Framebuffer& fake::currentFramebuffer() {
   return gl::currentOfThread->framebuffer;
+}
+const render::Framebuffer& fake::currentReadFramebuffer() {
+  return gl::currentOfThread->readFramebuffer;
 }
 void fake::deleteTexture() {
   gl::currentOfThread->texture.reset();

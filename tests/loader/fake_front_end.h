@@ -17,6 +17,7 @@ World& world();
 
 // What the fake context that is current in this thread has as framebuffer; null images: none.
 const render::Framebuffer& currentFramebuffer();
+const render::Framebuffer& currentReadFramebuffer();
 // Deletes the texture that eglBindTexImage filled.
 void deleteTexture();
 
