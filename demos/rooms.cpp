@@ -37,6 +37,7 @@ struct Options {
   std::string out = ".";
   std::string format = "png";
   int samples = 4;
+  int supersample = 1;
 };
 
 // Something the user can put right: the message alone is shown, and the exit status is 2.
@@ -120,7 +121,8 @@ void render(const room::DemoEntry& entry, const Options& options) {
   const std::filesystem::path folder = options.out;
   std::filesystem::create_directories(folder);
 
-  const room::Context context(size.width, size.height, options.samples);
+  const int fine = options.supersample;
+  const room::Context context(size.width * fine, size.height * fine, options.samples);
   const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
   demo->setup();
   room::checkErrors(fmt::format("the setup of {}", entry.name));
@@ -132,9 +134,9 @@ void render(const room::DemoEntry& entry, const Options& options) {
   if (options.format == "gif") gif = std::make_unique<room::GifWriter>(folder / (stem + ".gif"), options.fps);
   room::Progress progress(stem, range.last - range.first + 1);
   for (int frame = range.first; frame <= range.last; ++frame) {
-    const room::View view{size.width, size.height, options.time + frame / options.fps};
+    const room::View view{context.width(), context.height(), options.time + frame / options.fps};
     demo->frame(view, stage);
-    const room::Picture picture = room::readPicture(size.width, size.height);
+    const room::Picture picture = room::reducePicture(room::readPicture(view.width, view.height), fine);
     room::checkErrors(fmt::format("frame {} of {}", frame, stem));
     if (gif) {
       gif->add(picture);
@@ -171,6 +173,9 @@ int run(int argc, char** argv) {
   app.add_option("--samples", options.samples, "multisamples a pixel, if the implementation has them")
       ->capture_default_str()
       ->check(CLI::Range(0, 16));
+  app.add_option("--supersample", options.supersample, "render this many times larger and average")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 4));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,4 +1,6 @@
 // What stands in the room. Lengths in metres, y up, the floor at 0.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -29,54 +31,69 @@ MeshData board(const dvec3& size, int number) {
   return room::box(size, 0.25, 1.0 / room::kWoodExtent, {room::hash(number, 1, 7), room::hash(number, 2, 7)});
 }
 
+// Planks inside a frame of boards, with a brace across. The frames meet edge to edge: nothing overlaps.
+void appendCrateSide(MeshData& mesh, const dmat4& outward, dvec2 size, double thick, int number) {
+  constexpr double kFrame = 0.085;
+  constexpr int kPlanks = 5;
+  const double plank = size.y / kPlanks;
+  for (int i = 0; i < kPlanks; ++i) {
+    mesh.append(board({size.x, plank - 0.007, thick}, number + i),
+                glm::translate(outward, dvec3(0, plank * (i + 0.5) - size.y / 2, -thick * 1.5)));
+  }
+  const dvec2 inner = size - 2 * kFrame;
+  for (double sign : {-1.0, 1.0}) {
+    mesh.append(board({kFrame, size.y, thick}, ++number),
+                glm::translate(outward, dvec3(sign * (size.x - kFrame) / 2, 0, -thick / 2)));
+    mesh.append(board({inner.x, kFrame, thick}, ++number),
+                glm::translate(outward, dvec3(0, sign * (size.y - kFrame) / 2, -thick / 2)));
+  }
+  const double angle = std::atan2(inner.y, inner.x);
+  const double length = glm::length(inner) - 0.06;
+  mesh.append(board({length, 0.06, thick * 0.7}, ++number),
+              glm::translate(glm::rotate(outward, angle, dvec3(0, 0, 1)), dvec3(0, 0, -thick * 0.6)));
+}
+
 MeshData crate(double side) {
   constexpr double kThick = 0.022;
-  constexpr double kFrame = 0.085;
   const double half = side / 2;
   MeshData mesh;
-  int number = 0;
-  // A closed core of planks, and a frame of boards with one brace on each of the four sides and the top.
-  for (int face = 0; face < 5; ++face) {
-    const dmat4 turned = face < 4 ? glm::rotate(dmat4(1.0), face * glm::half_pi<double>(), dvec3(0, 1, 0))
-                                  : glm::rotate(dmat4(1.0), -glm::half_pi<double>(), dvec3(1, 0, 0));
-    const dmat4 outward = glm::translate(turned, dvec3(0, 0, half - kThick));
-    constexpr int kPlanks = 5;
-    const double plank = side / kPlanks;
-    for (int i = 0; i < kPlanks; ++i) {
-      const double y = -half + plank * (i + 0.5);
-      mesh.append(board({side - 2 * kThick, plank - 0.007, kThick}, ++number),
-                  glm::translate(outward, dvec3(0, y, -kThick / 2)));
-    }
-    for (double sign : {-1.0, 1.0}) {
-      mesh.append(board({kFrame, side, kThick}, ++number),
-                  glm::translate(outward, dvec3(sign * (half - kFrame / 2), 0, kThick / 2)));
-      mesh.append(board({side - 2 * kFrame, kFrame, kThick}, ++number),
-                  glm::translate(outward, dvec3(0, sign * (half - kFrame / 2), kThick / 2)));
-    }
-    const double inner = side - 2 * kFrame;
-    const dmat4 brace = glm::rotate(outward, glm::quarter_pi<double>(), dvec3(0, 0, 1));
-    mesh.append(board({inner * 1.30, kFrame * 0.8, kThick * 0.8}, ++number),
-                glm::translate(brace, dvec3(0, 0, kThick * 0.4)));
+  for (int face = 0; face < 4; ++face) {
+    const dmat4 turned = glm::rotate(dmat4(1.0), face * glm::half_pi<double>(), dvec3(0, 1, 0));
+    const double width = face % 2 == 0 ? side : side - 2 * kThick;
+    appendCrateSide(mesh, glm::translate(turned, dvec3(0, -kThick / 2, half)), {width, side - kThick}, kThick,
+                    10 * face);
   }
-  mesh.append(room::box(dvec3(side - 4.2 * kThick), 0.5, 1.0));
+  const dmat4 up = glm::rotate(dmat4(1.0), -glm::half_pi<double>(), dvec3(1, 0, 0));
+  appendCrateSide(mesh, glm::translate(up, dvec3(0, 0, half)), {side, side}, kThick, 40);
   return mesh;
 }
 
-// Boards of a mesh overlap as shadows do not care; the outline of a crate is a box.
+// The same outline with fewer polygons, for shadows.
 std::unique_ptr<room::Mesh> outlineOf(const MeshData& data) {
   return std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size()));
 }
 
-// A crumpled sheet.
-MeshData paperBall(double radius, unsigned seed) {
-  return room::surface(28, 18, [=](double u, double v) {
+// A crumpled sheet: what many random cuts leave of a ball.
+MeshData paperBall(double radius, int seed) {
+  constexpr int kCuts = 22;
+  std::array<glm::dvec4, kCuts> cuts;  // direction, distance
+  for (int i = 0; i < kCuts; ++i) {
+    const double y = 2 * (i + 0.5) / kCuts - 1;
+    const double angle = i * 2.4 + room::hash(i, seed, 311) * 1.2;
+    const double ring = std::sqrt(1 - y * y);
+    cuts[static_cast<std::size_t>(i)] = {ring * std::cos(angle), y, ring * std::sin(angle),
+                                         0.62 + 0.33 * room::hash(i, seed, 312)};
+  }
+  return room::surface(48, 28, [=](double u, double v) {
     const double angle = -u * glm::two_pi<double>();
     const double polar = (1 - v) * glm::pi<double>();
-    const double ring = std::sin(polar);
-    const room::CellDistance fold = room::cellNoise(u, v, 6, 4, seed);
-    const double fade = room::smoothStep(0.0, 0.5, ring);
-    const double r = radius * (0.8 + fade * 0.42 * (fold.second - fold.nearest));
-    return r * dvec3(ring * std::cos(angle), std::cos(polar), ring * std::sin(angle));
+    const dvec3 direction(std::sin(polar) * std::cos(angle), std::cos(polar), std::sin(polar) * std::sin(angle));
+    double r = 1.15;
+    for (const glm::dvec4& cut : cuts) {
+      const double toward = glm::dot(dvec3(cut), direction);
+      if (toward > 1e-6) r = std::min(r, cut.w / toward);
+    }
+    return radius * r * direction;
   });
 }
 
@@ -239,8 +256,8 @@ void Scene::addPoster() {
 
 void Scene::addPaper() {
   MeshData balls;
-  const MeshData first = paperBall(0.060, 301);
-  const MeshData second = paperBall(0.048, 302);
+  const MeshData first = paperBall(0.066, 1);
+  const MeshData second = paperBall(0.054, 2);
   balls.append(first, at({1.15, 0.055, -0.35}, 0.5));
   balls.append(second, at({0.10, 0.045, 0.12}, 1.9));
   balls.append(second, at({1.42, 0.045, -0.72}, 3.0));

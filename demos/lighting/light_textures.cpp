@@ -49,7 +49,7 @@ std::array<room::Image, 6> highlightFaces() {
     faces[static_cast<std::size_t>(face)] =
         room::generate(kHighlightSize, kHighlightSize, 1, [face](double s, double t, float* out) {
           const double cosine = std::max(room::cubeDirection(face, s, t).z, 0.0);
-          *out = static_cast<float>(0.70 * std::pow(cosine, 60.0) + 0.28 * std::pow(cosine, 9.0));
+          *out = static_cast<float>(0.60 * std::pow(cosine, 48.0) + 0.40 * std::pow(cosine, 6.0));
         });
   }
   return faces;

@@ -11,8 +11,8 @@
 namespace lighting {
 namespace {
 
-constexpr glm::dvec3 kPendantPivot{0.1, 2.9, -0.75};
-constexpr double kCordLength = 0.95;
+constexpr glm::dvec3 kPendantPivot{0.1, 2.9, -0.55};
+constexpr double kCordLength = 0.88;
 constexpr glm::dvec3 kFixturePivot{-2.55, 2.42, 0.55};
 
 // What little light there is without the lamps: bluish from above, warm back from the floor, less in corners.
@@ -24,9 +24,9 @@ glm::vec3 ambientAt(const glm::dvec3& p, const glm::dvec3& n) {
       if (!ownPlane) open *= 1 - 0.42 * std::exp(-std::max(distance, 0.0) / 0.30);
     }
   }
-  const glm::dvec3 sky = glm::dvec3(0.135, 0.155, 0.215) * (0.75 + 0.25 * n.y);
+  const glm::dvec3 sky = glm::dvec3(0.23, 0.26, 0.36) * (0.75 + 0.25 * n.y);
   const double near = std::exp(-(p.x * p.x + p.y * p.y + (p.z + 0.6) * (p.z + 0.6)) / 6.0);
-  const glm::dvec3 bounce = glm::dvec3(0.085, 0.055, 0.030) * near * (0.7 - 0.3 * n.y);
+  const glm::dvec3 bounce = glm::dvec3(0.20, 0.13, 0.07) * near * (0.7 - 0.3 * n.y);
   return glm::vec3((sky + bounce) * open);
 }
 
@@ -110,7 +110,7 @@ void Scene::makeMaterials() {
     return room::paintedMetal(u, v, dvec3(0.13, 0.13, 0.14));
   });
   paper_ = tangentMaterial(128, 128, square(room::kPaperExtent), room::paper);
-  poster_ = tangentMaterial(512, 1024, dvec2(0.84, 1.2), room::poster);
+  poster_ = tangentMaterial(512, 512, dvec2(0.84, 1.2), room::poster);
   can_ = objectMaterial(1024, 1024, canSurface(), canTexel);
   lid_ = objectMaterial(512, 512, lidSurface(), lidTexel);
 }
@@ -155,10 +155,10 @@ void Scene::animate(double time) {
   warm.direction = -glm::dvec3(pendant[1]);
   warm.up = glm::dvec3(pendant[2]);
   warm.color = {1.0, 0.80, 0.52};
-  warm.halfAngle = glm::radians(56.0);
+  warm.halfAngle = glm::radians(62.0);
   warm.near = 0.06;
   warm.range = 6.0;
-  warm.reach = 2.3;
+  warm.reach = 3.6;
 
   const glm::dvec3 aim(0.55 + 1.25 * std::sin(turn / 12.5 + 0.4), 0.95 + 0.35 * std::sin(turn / 8.3), -2.2);
   Spotlight& cold = lights_[1];
@@ -166,11 +166,11 @@ void Scene::animate(double time) {
   cold.position = kFixturePivot + direction * 0.12;
   cold.direction = direction;
   cold.up = {0, 1, 0};
-  cold.color = {0.42, 0.62, 1.0};
-  cold.halfAngle = glm::radians(17.0);
+  cold.color = {0.50, 0.72, 1.0};
+  cold.halfAngle = glm::radians(20.0);
   cold.near = 0.12;
   cold.range = 9.0;
-  cold.reach = 5.0;
+  cold.reach = 9.0;
 
   const glm::dvec3 right = glm::normalize(glm::cross(direction, glm::dvec3(0, 1, 0)));
   glm::dmat4 fixture(1.0);

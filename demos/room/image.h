@@ -38,4 +38,7 @@ Image tangentNormals(const Image& height, glm::dvec2 extent);
 // The same in the object's own space for a texture that is wrapped around a surface once.
 Image objectNormals(const Image& height, const SurfaceFunction& point);
 
+// Half the size in each direction, the mean of 2x2: the next mip level.
+Image halved(const Image& image);
+
 }  // namespace room

@@ -7,9 +7,17 @@
 namespace room {
 namespace {
 
+// Lattice points lie at most a few periods outside: cheaper than a division.
 int wrap(int x, int period) {
-  const int r = x % period;
-  return r < 0 ? r + period : r;
+  while (x >= period) x -= period;
+  while (x < 0) x += period;
+  return x;
+}
+
+// std::floor is a call where the baseline instruction set has no rounding.
+int floorOf(double x) {
+  const int truncated = static_cast<int>(x);
+  return truncated - (x < truncated ? 1 : 0);
 }
 
 double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
@@ -21,40 +29,57 @@ std::uint32_t hashBits(int x, int y, std::uint32_t seed) {
   return h ^ (h >> 15);
 }
 
-double slope(int x, int y, double dx, double dy, std::uint32_t seed) {
-  // Eight directions are enough, and cheaper than a sine and a cosine a corner.
-  constexpr double kHalf = 0.7071067811865476;
-  constexpr std::array<std::array<double, 2>, 8> kDirections = {{{1, 0},
-                                                                {kHalf, kHalf},
-                                                                {0, 1},
-                                                                {-kHalf, kHalf},
-                                                                {-1, 0},
-                                                                {-kHalf, -kHalf},
-                                                                {0, -1},
-                                                                {kHalf, -kHalf}}};
-  const auto& d = kDirections[hashBits(x, y, seed) & 7U];
-  return d[0] * dx + d[1] * dy;
+// Eight directions are enough, and cheaper than a sine and a cosine a corner.
+constexpr double kHalf = 0.7071067811865476;
+constexpr std::array<std::array<double, 2>, 8> kDirections = {{{1, 0},
+                                                              {kHalf, kHalf},
+                                                              {0, 1},
+                                                              {-kHalf, kHalf},
+                                                              {-1, 0},
+                                                              {-kHalf, -kHalf},
+                                                              {0, -1},
+                                                              {kHalf, -kHalf}}};
+
+// The bytes 0..255 shuffled: noise asks for four random directions a sample, and two look-ups give one.
+std::array<std::uint8_t, 512> makeShuffle() {
+  std::array<std::uint8_t, 512> table{};
+  for (unsigned i = 0; i < 256; ++i) table[i] = static_cast<std::uint8_t>(i);
+  for (unsigned i = 255; i > 0; --i) std::swap(table[i], table[hashBits(static_cast<int>(i), 0, 1) % (i + 1)]);
+  std::copy_n(table.begin(), 256, table.begin() + 256);
+  return table;
 }
+
+const std::array<std::uint8_t, 512> kShuffle = makeShuffle();
 
 }  // namespace
 
 double hash(int x, int y, std::uint32_t seed) { return hashBits(x, y, seed) * (1.0 / 4294967296.0); }
 
 double noise(double x, double y, int periodX, int periodY, std::uint32_t seed) {
-  const double floorX = std::floor(x);
-  const double floorY = std::floor(y);
-  const double dx = x - floorX;
-  const double dy = y - floorY;
-  const int x0 = wrap(static_cast<int>(floorX), periodX);
-  const int y0 = wrap(static_cast<int>(floorY), periodY);
+  const int column = floorOf(x);
+  const int row = floorOf(y);
+  const double dx = x - column;
+  const double dy = y - row;
+  const int x0 = wrap(column, periodX);
+  const int y0 = wrap(row, periodY);
   const int x1 = x0 + 1 == periodX ? 0 : x0 + 1;
   const int y1 = y0 + 1 == periodY ? 0 : y0 + 1;
-  const double a = slope(x0, y0, dx, dy, seed);
-  const double b = slope(x1, y0, dx - 1, dy, seed);
-  const double c = slope(x0, y1, dx, dy - 1, seed);
-  const double d = slope(x1, y1, dx - 1, dy - 1, seed);
+  const unsigned offset = seed * 37U;
+  const unsigned left = kShuffle[(static_cast<unsigned>(x0) + offset) & 255U];
+  const unsigned right = kShuffle[(static_cast<unsigned>(x1) + offset) & 255U];
+  const auto slope = [offset](unsigned shuffled, int latticeRow, double toX, double toY) {
+    const unsigned index = shuffled + ((static_cast<unsigned>(latticeRow) + (offset >> 8U)) & 255U);
+    const auto& d = kDirections[kShuffle[index] & 7U];
+    return d[0] * toX + d[1] * toY;
+  };
+  const double a = slope(left, y0, dx, dy);
+  const double b = slope(right, y0, dx - 1, dy);
+  const double c = slope(left, y1, dx, dy - 1);
+  const double d = slope(right, y1, dx - 1, dy - 1);
   const double fx = fade(dx);
-  return std::lerp(std::lerp(a, b, fx), std::lerp(c, d, fx), fade(dy)) * 1.414;
+  const double below = a + (b - a) * fx;
+  const double above = c + (d - c) * fx;
+  return (below + (above - below) * fade(dy)) * 1.414;
 }
 
 double fractalNoise(double u, double v, int cellsX, int cellsY, int octaves, std::uint32_t seed) {
@@ -79,7 +104,9 @@ CellDistance cellNoise(double u, double v, int cellsX, int cellsY, std::uint32_t
     for (int i = cellX - 1; i <= cellX + 1; ++i) {
       const int wx = wrap(i, cellsX);
       const int wy = wrap(j, cellsY);
-      const double distance = std::hypot(i + hash(wx, wy, seed) - x, j + hash(wx, wy, seed + 1) - y);
+      const double dx = i + hash(wx, wy, seed) - x;
+      const double dy = j + hash(wx, wy, seed + 1) - y;
+      const double distance = std::sqrt(dx * dx + dy * dy);
       if (distance < result.nearest) {
         result = {distance, result.nearest, hash(wx, wy, seed + 2)};
       } else {

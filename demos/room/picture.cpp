@@ -43,6 +43,25 @@ Picture readPicture(int width, int height) {
   return picture;
 }
 
+Picture reducePicture(const Picture& picture, int factor) {
+  if (factor == 1) return picture;
+  Picture small{picture.width / factor, picture.height / factor, {}};
+  const int blockSize = factor * factor;
+  small.rgb.reserve(picture.rgb.size() / static_cast<std::size_t>(blockSize));
+  for (int y = 0; y < small.height; ++y) {
+    for (int x = 0; x < small.width * 3; ++x) {
+      const int left = x / 3 * 3 * factor + x % 3;
+      int sum = blockSize / 2;
+      for (int i = 0; i < blockSize; ++i) {
+        const int row = y * factor + i / factor;
+        sum += picture.rgb[static_cast<std::size_t>(row * picture.width * 3 + left + i % factor * 3)];
+      }
+      small.rgb.push_back(static_cast<std::uint8_t>(sum / blockSize));
+    }
+  }
+  return small;
+}
+
 void writePicture(const std::filesystem::path& file, const Picture& picture) {
   auto output = create(file);
   const bool linear = file.extension() == ".exr";

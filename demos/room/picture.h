@@ -20,6 +20,9 @@ struct Picture {
 // Reads the color buffer of the current surface.
 Picture readPicture(int width, int height);
 
+// Averages blocks of factor x factor pixels; the size must be a multiple of the factor.
+Picture reducePicture(const Picture& picture, int factor);
+
 // PNG, or EXR (half floats, linear light), by the file's extension. Throws std::runtime_error.
 void writePicture(const std::filesystem::path& file, const Picture& picture);
 

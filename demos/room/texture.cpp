@@ -1,10 +1,8 @@
 #include "texture.h"
 
 #include <GLES/glext.h>
-#include <OpenImageIO/imagebufalgo.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -13,10 +11,11 @@ namespace {
 
 void uploadLevel(GLenum face, int level, const Image& image, GLenum format) {
   const OIIO::ImageSpec& spec = image.spec();
+  const auto* from = static_cast<const float*>(image.localpixels());
   std::vector<std::uint8_t> bytes(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-  if (!image.get_pixels(image.roi(), OIIO::TypeDesc::UINT8, bytes.data())) {
-    throw std::runtime_error("a texture could not be converted: " + image.geterror());
-  }
+  std::transform(from, from + bytes.size(), bytes.begin(), [](float x) {
+    return static_cast<std::uint8_t>(std::clamp(x, 0.0F, 1.0F) * 255.0F + 0.5F);
+  });
   glTexImage2D(face, level, static_cast<GLint>(format), spec.width, spec.height, 0, format, GL_UNSIGNED_BYTE,
                bytes.data());
 }
@@ -27,10 +26,8 @@ void uploadLevels(GLenum face, const Image& image, GLenum format, bool mipmaps) 
   if (!mipmaps) return;
   Image level = image;
   for (int i = 1; level.spec().width > 1 || level.spec().height > 1; ++i) {
-    const OIIO::ROI half(0, std::max(1, level.spec().width / 2), 0, std::max(1, level.spec().height / 2), 0, 1, 0,
-                         level.spec().nchannels);
-    // A box over 2x2: normals get shorter where they differ, which is just what averaged diffuse light needs.
-    level = OIIO::ImageBufAlgo::resize(level, "box", 0.0F, half);
+    // Normals get shorter where they differ, which is just what averaged diffuse light needs.
+    level = halved(level);
     uploadLevel(face, i, level, format);
   }
 }
