@@ -18,23 +18,37 @@ constexpr int kGlowSize = 128;
 
 double ring(double r, double at, double width) { return std::exp(-((r - at) / width) * ((r - at) / width)); }
 
-float falloffAt(double x, double y) {
+float bulbAt(double x, double y) {
   const double r = std::hypot(x, y);
   const double angle = std::atan2(y, x) / glm::two_pi<double>() + 0.5;
-  const double edge = 1 - room::smoothStep(0.80, 0.97, r);
-  const double core = 0.50 + 0.42 * std::exp(-3.2 * r * r);
-  const double rings = 0.10 * ring(r, 0.78, 0.05) - 0.05 * ring(r, 0.60, 0.06) + 0.05 * ring(r, 0.44, 0.07);
-  // The reflector's facets smear the filament into faint spokes.
-  const double spokes = room::fractalNoise(angle, 0.5, 24, 1, 3, 401) * 0.14 * room::smoothStep(0.1, 0.6, r);
+  const double edge = 1 - room::smoothStep(0.76, 0.97, r);
+  const double core = 0.52 + 0.40 * std::exp(-3.2 * r * r);
+  const double rings = 0.08 * ring(r, 0.74, 0.05) - 0.05 * ring(r, 0.58, 0.06) + 0.04 * ring(r, 0.42, 0.07);
+  // The shade's dents smear the filament into faint spokes.
+  const double spokes = room::fractalNoise(angle, 0.5, 24, 1, 3, 401) * 0.16 * room::smoothStep(0.1, 0.6, r);
   return static_cast<float>(std::clamp(edge * (core + rings + spokes), 0.0, 1.0));
+}
+
+float lensAt(double x, double y) {
+  const double r = std::hypot(x, y);
+  const double edge = 1 - room::smoothStep(0.885, 0.945, r);
+  const double halo = 0.10 * (1 - room::smoothStep(0.90, 0.99, r));
+  const double core = 0.74 + 0.12 * std::exp(-5.0 * r * r);
+  const double rings = 0.16 * ring(r, 0.87, 0.030) - 0.12 * ring(r, 0.79, 0.035) + 0.07 * ring(r, 0.66, 0.05) -
+                       0.06 * ring(r, 0.50, 0.05) + 0.05 * ring(r, 0.30, 0.06);
+  return static_cast<float>(std::clamp(edge * (core + rings) + (1 - edge) * halo, 0.0, 1.0));
+}
+
+room::Image falloff(float (*at)(double, double)) {
+  return room::generate(kFalloffSize, kFalloffSize, 1,
+                        [at](double u, double v, float* out) { *out = at(2 * u - 1, 2 * v - 1); });
 }
 
 }  // namespace
 
-room::Image falloffImage() {
-  return room::generate(kFalloffSize, kFalloffSize, 1,
-                        [](double u, double v, float* out) { *out = falloffAt(2 * u - 1, 2 * v - 1); });
-}
+room::Image bulbFalloff() { return falloff(bulbAt); }
+
+room::Image lensFalloff() { return falloff(lensAt); }
 
 room::Image rampImage() {
   return room::generate(kRampSize, 1, 1, [](double u, double, float* out) {
@@ -48,8 +62,10 @@ std::array<room::Image, 6> highlightFaces() {
   for (int face = 0; face < 6; ++face) {
     faces[static_cast<std::size_t>(face)] =
         room::generate(kHighlightSize, kHighlightSize, 1, [face](double s, double t, float* out) {
-          const double cosine = std::max(room::cubeDirection(face, s, t).z, 0.0);
-          *out = static_cast<float>(0.60 * std::pow(cosine, 48.0) + 0.40 * std::pow(cosine, 6.0));
+          const glm::dvec3 d = room::cubeDirection(face, s, t);
+          const double core = ring(d.x, 0, 0.11) * ring(d.y, 0, 0.62);
+          const double sheen = ring(d.x, 0, 0.42) * ring(d.y, 0, 0.80);
+          *out = static_cast<float>((0.62 * core + 0.38 * sheen) * room::smoothStep(-0.05, 0.35, d.z));
         });
   }
   return faces;

@@ -116,18 +116,20 @@ class Lighting final : public room::Demo {
 
  private:
   void drawBase(const Terms& terms);
-  void drawMask(const Spotlight& light, const Terms& terms);
+  void drawMask(int lightIndex, const Terms& terms);
   void drawShadows(int lightIndex, bool alone);
   void drawBump(const Spotlight& light);
   void drawFlat(const Spotlight& light);
   void drawSpecular(const Spotlight& light);
   void drawGlow();
+  void drawHalo(const Spotlight& light);
+  void drawBeam(const Spotlight& light);
 
   void lightVertices(const Spotlight& light);
   void place(const Part& part) const { room::loadMatrix(camera_ * part.model); }
 
   std::optional<Scene> scene_;
-  room::Texture falloff_;
+  std::array<room::Texture, kLights> falloff_;
   room::Texture ramp_;
   room::Texture highlight_;
   room::Texture glow_;
@@ -149,7 +151,10 @@ void Lighting::setup() {
   texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
   if (texGeni_ == nullptr) throw std::runtime_error("eglGetProcAddress does not know glTexGeniOES");
   scene_.emplace();
-  falloff_ = room::makeTexture(falloffImage(), room::Filter::Nearest, GL_CLAMP_TO_EDGE, GL_ALPHA);
+  const auto falloff = [](const room::Image& image) {
+    return room::makeTexture(image, room::Filter::Nearest, GL_CLAMP_TO_EDGE, GL_ALPHA);
+  };
+  falloff_ = {falloff(bulbFalloff()), falloff(lensFalloff())};
   ramp_ = room::makeTexture(rampImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE, GL_ALPHA);
   highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
   glow_ = room::makeTexture(glowImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
@@ -175,7 +180,7 @@ void Lighting::frame(const room::View& view, std::string_view stage) {
   for (int i = 0; i < kLights; ++i) {
     const Spotlight& light = scene_->lights()[static_cast<std::size_t>(i)];
     const bool shadowsAlone = terms.shadows && !terms.bump;
-    if (!shadowsAlone) drawMask(light, terms);
+    if (!shadowsAlone) drawMask(i, terms);
     if (terms.shadows) drawShadows(i, shadowsAlone);
     if (terms.bump) drawBump(light);
     if (terms.spot && !terms.bump && !terms.specular) drawFlat(light);
@@ -244,14 +249,15 @@ void Lighting::lightVertices(const Spotlight& light) {
 }
 
 // Destination alpha = attenuation * falloff * ramp, where the ramp is 0 behind the light's near plane.
-void Lighting::drawMask(const Spotlight& light, const Terms& terms) {
+void Lighting::drawMask(int lightIndex, const Terms& terms) {
+  const Spotlight& light = scene_->lights()[static_cast<std::size_t>(lightIndex)];
   lightVertices(light);
   resetState();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
   glClearColor(0, 0, 0, 0);
   glClear(GL_COLOR_BUFFER_BIT);
   if (terms.spot) {
-    useTexture(0, falloff_);
+    useTexture(0, falloff_[static_cast<std::size_t>(lightIndex)]);
     modulate();
     useTexture(1, ramp_);
     modulate();
@@ -313,12 +319,13 @@ void Lighting::drawShadows(int lightIndex, bool alone) {
   glStencilMask(~0U);
 }
 
-// color += N.L * base * 2 * light color * destination alpha.
+// color += N.L * base * light color * destination alpha. The scales of units 1 and 2 make up for the constant color,
+// which ends at 1, and for what attenuation takes.
 void Lighting::drawBump(const Spotlight& light) {
   resetState();
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_ALPHA, GL_ONE);
-  const glm::vec4 color(light.color, 1.0);
+  const glm::vec4 color(light.color * 0.5, 1.0);
   for (std::size_t i = 0; i < lit_.size(); ++i) {
     const Part& part = scene_->parts()[i];
     if (part.material == nullptr) continue;
@@ -328,7 +335,7 @@ void Lighting::drawBump(const Spotlight& light) {
     useTexture(1, part.material->base);
     combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, 2);
     useTexture(2, part.material->base);
-    combine(GL_MODULATE, GL_PREVIOUS, GL_CONSTANT);
+    combine(GL_MODULATE, GL_PREVIOUS, GL_CONSTANT, 2);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(color));
     part.mesh->bindPositions();
     for (int unit = 0; unit < kUnits; ++unit) useTexCoords(unit, *part.mesh);
@@ -359,7 +366,8 @@ void Lighting::drawFlat(const Spotlight& light) {
   }
 }
 
-// The cube map holds a highlight about its +Z axis; the texture matrix turns the light's direction there.
+// The cube map holds a highlight about its +Z axis, drawn out along y; the texture matrix turns the light's direction
+// and the object's upright axis there.
 void Lighting::drawSpecular(const Spotlight& light) {
   resetState();
   glEnable(GL_BLEND);
@@ -376,9 +384,9 @@ void Lighting::drawSpecular(const Spotlight& light) {
     place(part);
     const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
     const glm::dvec3 toLight = glm::normalize(glm::dmat3(camera_) * (light.position - center));
-    loadTextureMatrix(0, room::rotationBetween(toLight, {0, 0, 1}));
+    loadTextureMatrix(0, room::rotationToAxes(toLight, glm::dmat3(camera_) * glm::dvec3(part.model[1])));
     useTexture(1, part.material->gloss);
-    modulate();
+    combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, 4);
     useTexCoords(1, *part.mesh);
     part.mesh->bindPositions();
     part.mesh->bindNormals();
@@ -387,33 +395,68 @@ void Lighting::drawSpecular(const Spotlight& light) {
   }
 }
 
-// The air around the lamps.
+// The air around the lamps, as far as its dust shows.
 void Lighting::drawGlow() {
   resetState();
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
+  room::loadMatrix(camera_);
+  for (const Spotlight& light : scene_->lights()) {
+    if (light.beam > 0) drawBeam(light);
+  }
   useTexture(0, glow_);
   modulate();
   glClientActiveTexture(GL_TEXTURE0);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  for (const Spotlight& light : scene_->lights()) drawHalo(light);
+}
+
+// A disc at the lamp that faces the camera.
+void Lighting::drawHalo(const Spotlight& light) {
   constexpr std::array<GLfloat, 8> kCorners = {0, 0, 1, 0, 0, 1, 1, 1};
-  glTexCoordPointer(2, GL_FLOAT, 0, kCorners.data());
-  room::loadMatrix(camera_);
+  constexpr double kSize = 1.3;
   const glm::dmat3 toWorld = glm::transpose(glm::dmat3(camera_));
-  for (const Spotlight& light : scene_->lights()) {
-    const double facing = glm::dot(light.direction, glm::normalize(eye_ - light.position));
-    const double strength = 0.25 + 0.45 * std::max(facing, 0.0);
-    setColor(light.color * strength);
-    std::array<glm::vec3, 4> quad;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const glm::dvec2 offset(kCorners[2 * i] - 0.5, kCorners[2 * i + 1] - 0.5);
-      const glm::dvec3 forward = toWorld[2] * 0.06;
-      quad[i] = light.position + forward + 1.3 * (toWorld[0] * offset.x + toWorld[1] * offset.y);
-    }
-    glVertexPointer(3, GL_FLOAT, 0, quad.data());
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  std::array<glm::vec3, 4> quad;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const glm::dvec2 offset = kSize * glm::dvec2(kCorners[2 * i] - 0.5, kCorners[2 * i + 1] - 0.5);
+    quad[i] = light.position + toWorld * glm::dvec3(offset, 0.06);
   }
+  const double facing = glm::dot(light.direction, glm::normalize(eye_ - light.position));
+  setColor(light.color * (0.25 + 0.45 * std::max(facing, 0.0)));
+  glTexCoordPointer(2, GL_FLOAT, 0, kCorners.data());
+  glVertexPointer(3, GL_FLOAT, 0, quad.data());
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+// The shell of the light's cone. It fades where it is seen edge-on, as there is least air behind it, and with distance.
+void Lighting::drawBeam(const Spotlight& light) {
+  constexpr int kSides = 64;
+  constexpr int kRings = 16;
+  constexpr double kLength = 4.2;
+  const glm::dvec3 side = glm::normalize(glm::cross(light.direction, light.up));
+  const glm::dvec3 other = glm::cross(side, light.direction);
+  const double slope = std::tan(light.halfAngle * 0.92);
+  glEnableClientState(GL_COLOR_ARRAY);
+  std::array<glm::vec3, 2 * (kSides + 1)> points;
+  std::array<glm::vec4, 2 * (kSides + 1)> colors;
+  glVertexPointer(3, GL_FLOAT, 0, points.data());
+  glColorPointer(4, GL_FLOAT, 0, colors.data());
+  for (int ring = 0; ring < kRings; ++ring) {
+    for (int i = 0; i < 2 * (kSides + 1); ++i) {
+      const double along = kLength * (ring + i % 2) / kRings;
+      const double angle = glm::two_pi<double>() * (i / 2) / kSides;
+      const glm::dvec3 out = side * std::cos(angle) + other * std::sin(angle);
+      const glm::dvec3 point = light.position + light.direction * along + out * (slope * along);
+      const glm::dvec3 normal = glm::normalize(out - light.direction * slope);
+      const double facing = glm::dot(normal, glm::normalize(eye_ - point));
+      const double fade = 1 - along / kLength;
+      points[static_cast<std::size_t>(i)] = point;
+      colors[static_cast<std::size_t>(i)] = glm::vec4(light.color * (light.beam * fade * fade * facing * facing), 1.0);
+    }
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kSides + 1));
+  }
+  glDisableClientState(GL_COLOR_ARRAY);
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ glm::vec3 ambientAt(const glm::dvec3& p, const glm::dvec3& n) {
     }
   }
   const glm::dvec3 sky = glm::dvec3(0.23, 0.26, 0.36) * (0.75 + 0.25 * n.y);
-  const double near = std::exp(-(p.x * p.x + p.y * p.y + (p.z + 0.6) * (p.z + 0.6)) / 6.0);
-  const glm::dvec3 bounce = glm::dvec3(0.20, 0.13, 0.07) * near * (0.7 - 0.3 * n.y);
+  const double near = std::exp(-(p.x * p.x + p.y * p.y + (p.z + 0.6) * (p.z + 0.6)) / 9.0);
+  const glm::dvec3 bounce = glm::dvec3(0.20, 0.13, 0.07) * near * (0.8 - 0.5 * n.y);
   return glm::vec3((sky + bounce) * open);
 }
 
@@ -154,19 +154,20 @@ void Scene::animate(double time) {
   warm.position = glm::dvec3(pendant[3]);
   warm.direction = -glm::dvec3(pendant[1]);
   warm.up = glm::dvec3(pendant[2]);
-  warm.color = {1.0, 0.80, 0.52};
+  warm.color = {1.12, 0.86, 0.54};
   warm.halfAngle = glm::radians(62.0);
   warm.near = 0.06;
   warm.range = 6.0;
   warm.reach = 3.6;
 
-  const glm::dvec3 aim(0.55 + 1.25 * std::sin(turn / 12.5 + 0.4), 0.95 + 0.35 * std::sin(turn / 8.3), -2.2);
+  const glm::dvec3 aim(0.55 + 1.05 * std::sin(turn / 12.5 + 0.2), 0.95 + 0.35 * std::sin(turn / 8.3), -1.7);
   Spotlight& cold = lights_[1];
   const glm::dvec3 direction = glm::normalize(aim - kFixturePivot);
   cold.position = kFixturePivot + direction * 0.12;
   cold.direction = direction;
   cold.up = {0, 1, 0};
-  cold.color = {0.50, 0.72, 1.0};
+  cold.color = {0.72, 1.12, 1.75};
+  cold.beam = 0.13;
   cold.halfAngle = glm::radians(20.0);
   cold.near = 0.12;
   cold.range = 9.0;

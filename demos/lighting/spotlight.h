@@ -9,7 +9,8 @@ struct Spotlight {
   glm::dvec3 position{0};   // world, metres
   glm::dvec3 direction{0, -1, 0};  // unit
   glm::dvec3 up{0, 0, 1};          // turns the projected picture
-  glm::dvec3 color{1};
+  glm::dvec3 color{1};             // in [0, 2]
+  double beam = 0;                 // how much of the light's cone the dust in the air shows
   double halfAngle = 0.5;  // radians, to the edge of the falloff texture
   double near = 0.1;       // metres along the direction: nothing nearer is lit
   double range = 9.0;      // metres along the direction: nothing farther is lit

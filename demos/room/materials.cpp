@@ -163,8 +163,10 @@ Texel zinc(double u, double v, int crystalsX, int crystalsY) {
 Texel paper(double u, double v) {
   const CellDistance fold = cellNoise(u, v, 5, 5, 121);
   Texel t;
-  t.color = dvec3(0.80, 0.77, 0.69) * (0.97 + 0.1 * fractalNoise(u, v, 12, 12, 3, 122));
-  t.height = 0.012 * fold.nearest + 0.004 * fractalNoise(u, v, 8, 8, 3, 123);
+  t.color = dvec3(0.93, 0.91, 0.85) * (0.97 + 0.08 * fractalNoise(u, v, 12, 12, 3, 122));
+  const double rule = std::abs(fractionOf(v * 24) - 0.5);
+  t.color = glm::mix(t.color, dvec3(0.45, 0.55, 0.75), 0.5 * (1 - smoothStep(0.05, 0.12, rule)));
+  t.height = 0.005 * fold.nearest + 0.0015 * fractalNoise(u, v, 8, 8, 3, 123);
   return t;
 }
 

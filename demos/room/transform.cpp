@@ -2,7 +2,6 @@
 
 #include <GLES/gl.h>
 
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -18,14 +17,11 @@ glm::dmat4 planarShadow(glm::dvec4 plane, glm::dvec3 light) {
   return glm::dmat4(glm::dot(plane, l)) - glm::outerProduct(l, plane);
 }
 
-glm::dmat4 rotationBetween(glm::dvec3 from, glm::dvec3 to) {
-  const glm::dvec3 axis = glm::cross(from, to);
-  const double sine = glm::length(axis);
-  const double cosine = glm::dot(from, to);
-  if (sine > 1e-9) return glm::rotate(glm::dmat4(1.0), std::atan2(sine, cosine), axis / sine);
-  if (cosine > 0) return glm::dmat4(1.0);
-  const glm::dvec3 other = std::abs(from.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  return glm::rotate(glm::dmat4(1.0), std::acos(-1.0), glm::normalize(glm::cross(from, other)));
+glm::dmat4 rotationToAxes(glm::dvec3 forward, glm::dvec3 up) {
+  glm::dvec3 side = glm::cross(up, forward);
+  if (glm::length(side) < 1e-9) side = glm::cross(glm::dvec3(forward.y, forward.z, forward.x), forward);
+  side = glm::normalize(side);
+  return glm::dmat4(glm::transpose(glm::dmat3(side, glm::cross(forward, side), forward)));
 }
 
 void loadMatrix(const glm::dmat4& m) {

@@ -12,8 +12,8 @@ glm::dmat4 biasMatrix();
 // A result with w <= 0 comes from a point at or behind the light and must be clipped away.
 glm::dmat4 planarShadow(glm::dvec4 plane, glm::dvec3 light);
 
-// The shortest rotation that takes one unit vector to another.
-glm::dmat4 rotationBetween(glm::dvec3 from, glm::dvec3 to);
+// The rotation that takes the unit vector `forward` to +Z and `up`, as far as it is perpendicular, to +Y.
+glm::dmat4 rotationToAxes(glm::dvec3 forward, glm::dvec3 up);
 
 // Loads onto the current matrix stack.
 void loadMatrix(const glm::dmat4& m);
