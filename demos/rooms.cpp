@@ -66,8 +66,8 @@ bool parsePair(const std::string& text, char between, int& a, int& b) {
 
 Size parseSize(const std::string& text) {
   Size size{};
-  if (!parsePair(text, 'x', size.width, size.height) || size.width < 1 || size.height < 1 || size.width > 16384 ||
-      size.height > 16384) {
+  if (!parsePair(text, 'x', size.width, size.height) || size.width < 1 || size.height < 1 ||
+      size.width > 16384 || size.height > 16384) {
     throw UsageError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, as in 640x480", text));
   }
   return size;
@@ -98,9 +98,10 @@ std::vector<const room::DemoEntry*> chosenDemos(const std::string& name) {
     if (name == "all" || name == entry.name) chosen.push_back(&entry);
   }
   if (chosen.empty()) {
-    throw UsageError(name.empty() ? fmt::format("which demo? There are: {}, or all", fmt::join(demoNames(), ", "))
-                                  : fmt::format("there is no demo '{}'; there are: {}, or all", name,
-                                                fmt::join(demoNames(), ", ")));
+    throw UsageError(name.empty()
+                         ? fmt::format("which demo? There are: {}, or all", fmt::join(demoNames(), ", "))
+                         : fmt::format("there is no demo '{}'; there are: {}, or all", name,
+                                       fmt::join(demoNames(), ", ")));
   }
   return chosen;
 }
@@ -110,8 +111,8 @@ std::string_view chosenStage(const room::Demo& demo, std::string_view name, cons
   for (std::string_view known : demo.stages()) {
     if (known == stage) return known;
   }
-  throw UsageError(fmt::format("{} has no stage '{}'; its stages are: {}", name, stage,
-                               fmt::join(demo.stages(), ", ")));
+  throw UsageError(
+      fmt::format("{} has no stage '{}'; its stages are: {}", name, stage, fmt::join(demo.stages(), ", ")));
 }
 
 void render(const room::DemoEntry& entry, const Options& options) {
@@ -128,8 +129,8 @@ void render(const room::DemoEntry& entry, const Options& options) {
   room::checkErrors(fmt::format("the setup of {}", entry.name));
 
   const bool single = range.first == range.last;
-  const std::string stem = stage == demo->stages().back() ? std::string(entry.name)
-                                                          : fmt::format("{}-{}", entry.name, stage);
+  const std::string stem =
+      stage == demo->stages().back() ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
   std::unique_ptr<room::GifWriter> gif;
   if (options.format == "gif") gif = std::make_unique<room::GifWriter>(folder / (stem + ".gif"), options.fps);
   room::Progress progress(stem, range.last - range.first + 1);

@@ -15,7 +15,9 @@ constexpr int kFlutes = 26;
 constexpr double kWallTop = 0.775;
 constexpr double kSheet = 0.012;
 
-double bump(double y, double at, double width) { return std::exp(-((y - at) / width) * ((y - at) / width)); }
+double bump(double y, double at, double width) {
+  return std::exp(-((y - at) / width) * ((y - at) / width));
+}
 
 // 1 where the sheet is pressed into vertical flutes.
 double fluted(double y) {
@@ -45,7 +47,9 @@ std::vector<glm::dvec2> canProfile() {
   return profile;
 }
 
-double heightOf(const room::SurfaceFunction& surface, double v) { return surface(0.0, v).y; }
+double heightOf(const room::SurfaceFunction& surface, double v) {
+  return surface(0.0, v).y;
+}
 
 }  // namespace
 

@@ -87,7 +87,8 @@ MeshData paperBall(double radius, int seed) {
   return room::surface(48, 28, [=](double u, double v) {
     const double angle = -u * glm::two_pi<double>();
     const double polar = (1 - v) * glm::pi<double>();
-    const dvec3 direction(std::sin(polar) * std::cos(angle), std::cos(polar), std::sin(polar) * std::sin(angle));
+    const dvec3 direction(std::sin(polar) * std::cos(angle), std::cos(polar),
+                          std::sin(polar) * std::sin(angle));
     double r = 1.15;
     for (const glm::dvec4& cut : cuts) {
       const double toward = glm::dot(dvec3(cut), direction);
@@ -106,10 +107,13 @@ void Scene::addShell() {
   const dvec3 x(size.x, 0, 0);
   const dvec3 y(0, size.y, 0);
   const dvec3 z(0, 0, size.z);
-  add(tiles_, room::rectangle({low.x, low.y, high.z}, x, -z, kCell, 1 / room::kTileExtent), {Receiver::Floor});
+  add(tiles_, room::rectangle({low.x, low.y, high.z}, x, -z, kCell, 1 / room::kTileExtent),
+      {Receiver::Floor});
   add(brick_, room::rectangle(low, x, y, kCell, 1 / room::kBrickExtent), {Receiver::Back});
-  add(brick_, room::rectangle({low.x, low.y, high.z}, -z, y, kCell, 1 / room::kBrickExtent), {Receiver::Left});
-  add(brick_, room::rectangle({high.x, low.y, low.z}, z, y, kCell, 1 / room::kBrickExtent), {Receiver::Right});
+  add(brick_, room::rectangle({low.x, low.y, high.z}, -z, y, kCell, 1 / room::kBrickExtent),
+      {Receiver::Left});
+  add(brick_, room::rectangle({high.x, low.y, low.z}, z, y, kCell, 1 / room::kBrickExtent),
+      {Receiver::Right});
   add(brick_, room::rectangle(high - y, -x, y, kCell, 1 / room::kBrickExtent), {});
   add(plaster_, room::rectangle({low.x, high.y, low.z}, x, z, kCell, 1 / room::kPlasterExtent), {});
 
@@ -202,7 +206,8 @@ void Scene::addBench() {
   add(paintedWood_, std::move(planks), {Receiver::None, kBothLights});
   MeshData legs;
   for (double x : {-0.75, 0.75}) {
-    legs.append(room::tube({{x, 0.0, -0.17}, {x, 0.425, -0.17}, {x, 0.425, 0.22}, {x, 0.94, 0.31}}, 0.017, 0.05, 12, 2),
+    legs.append(room::tube({{x, 0.0, -0.17}, {x, 0.425, -0.17}, {x, 0.425, 0.22}, {x, 0.94, 0.31}}, 0.017,
+                           0.05, 12, 2),
                 where);
     legs.append(room::tube({{x, 0.425, 0.17}, {x, 0.0, 0.23}}, 0.017, 0.02, 12, 2), where);
   }
@@ -212,8 +217,8 @@ void Scene::addBench() {
 void Scene::addPipes() {
   MeshData pipes;
   const double back = kRoomMin.z + 0.11;
-  pipes.append(room::tube({{2.62, 0.0, back}, {2.62, 2.46, back}, {-2.86, 2.46, back}, {-2.86, 2.46, 3.9}}, 0.055, 0.16,
-                          20, 2));
+  pipes.append(room::tube({{2.62, 0.0, back}, {2.62, 2.46, back}, {-2.86, 2.46, back}, {-2.86, 2.46, 3.9}},
+                          0.055, 0.16, 20, 2));
   pipes.append(room::tube({{2.40, 0.0, back}, {2.40, 2.30, back}, {-3.0, 2.30, back}}, 0.032, 0.12, 16, 2));
   const auto collar = [&](const dvec3& position, const dvec3& along, double radius) {
     const dvec3 half = along * 0.022;
@@ -221,10 +226,11 @@ void Scene::addPipes() {
     const std::vector<dvec2> disc = {{radius * 1.3, 0.0}, {0.0, 0.0}};
     for (double sign : {-1.0, 1.0}) {
       const dvec3 axis = along * sign;
-      const dmat4 turn = std::abs(axis.y) > 0.5
-                             ? glm::scale(dmat4(1.0), dvec3(1, 1, 1)) *
-                                   glm::rotate(dmat4(1.0), axis.y > 0 ? 0.0 : glm::pi<double>(), dvec3(1, 0, 0))
-                             : glm::rotate(dmat4(1.0), -glm::half_pi<double>() * axis.x, dvec3(0, 0, 1));
+      const dmat4 turn =
+          std::abs(axis.y) > 0.5
+              ? glm::scale(dmat4(1.0), dvec3(1, 1, 1)) *
+                    glm::rotate(dmat4(1.0), axis.y > 0 ? 0.0 : glm::pi<double>(), dvec3(1, 0, 0))
+              : glm::rotate(dmat4(1.0), -glm::half_pi<double>() * axis.x, dvec3(0, 0, 1));
       pipes.append(room::lathe(disc, 20, 1), glm::translate(dmat4(1.0), position + half * sign) * turn);
     }
   };
@@ -240,16 +246,17 @@ void Scene::addPipes() {
 void Scene::addPoster() {
   const dvec3 center(0.75, 1.58, kRoomMin.z + 0.03);
   const dvec2 size(0.84, 1.2);
-  MeshData sheet = room::surface(8, 10, [&](double u, double v) {
-    return center + dvec3((u - 0.5) * size.x, (v - 0.5) * size.y, 0);
-  });
+  MeshData sheet = room::surface(
+      8, 10, [&](double u, double v) { return center + dvec3((u - 0.5) * size.x, (v - 0.5) * size.y, 0); });
   add(poster_, std::move(sheet), {Receiver::Back});
   MeshData frame;
   constexpr double kBar = 0.045;
   int number = 40;
   for (double sign : {-1.0, 1.0}) {
-    frame.append(board({size.x + 2 * kBar, kBar, 0.045}, ++number), at(center + dvec3(0, sign * (size.y + kBar) / 2, 0)));
-    frame.append(board({kBar, size.y, 0.045}, ++number), at(center + dvec3(sign * (size.x + kBar) / 2, 0, 0)));
+    frame.append(board({size.x + 2 * kBar, kBar, 0.045}, ++number),
+                 at(center + dvec3(0, sign * (size.y + kBar) / 2, 0)));
+    frame.append(board({kBar, size.y, 0.045}, ++number),
+                 at(center + dvec3(sign * (size.x + kBar) / 2, 0, 0)));
   }
   add(wood_, std::move(frame), {Receiver::None, kBothLights});
 }
@@ -271,11 +278,13 @@ void Scene::addLamps() {
   const auto hang = [this](std::vector<std::size_t>& group) { group.push_back(parts_.size() - 1); };
 
   // The pendant's origin is its bulb; the shade opens downwards.
-  const std::vector<dvec2> shade = {{0.245, -0.035}, {0.250, -0.033}, {0.245, -0.020}, {0.20, 0.055}, {0.13, 0.105},
-                                    {0.06, 0.130},   {0.045, 0.16},   {0.045, 0.20},   {0.02, 0.215}, {0.0, 0.22}};
+  const std::vector<dvec2> shade = {{0.245, -0.035}, {0.250, -0.033}, {0.245, -0.020}, {0.20, 0.055},
+                                    {0.13, 0.105},   {0.06, 0.130},   {0.045, 0.16},   {0.045, 0.20},
+                                    {0.02, 0.215},   {0.0, 0.22}};
   add(enamel_, room::lathe(shade, 48, 28, {4, 1}), {Receiver::None, 2U, 0.8});
   hang(pendant_);
-  const std::vector<dvec2> inside = {{0.0, 0.12}, {0.06, 0.118}, {0.125, 0.098}, {0.195, 0.048}, {0.243, -0.034}};
+  const std::vector<dvec2> inside = {
+      {0.0, 0.12}, {0.06, 0.118}, {0.125, 0.098}, {0.195, 0.048}, {0.243, -0.034}};
   addGlowing(room::lathe(inside, 48, 12), {0.80, 0.66, 0.45});
   hang(pendant_);
   addGlowing(room::sphere(0.042, 20, 12), {1.0, 0.96, 0.84});
@@ -284,14 +293,16 @@ void Scene::addLamps() {
   hang(pendant_);
 
   // The stage light looks along its z axis.
-  const std::vector<dvec2> barrel = {{0.0, -0.16}, {0.05, -0.155}, {0.075, -0.12}, {0.08, 0.08}, {0.105, 0.13}};
+  const std::vector<dvec2> barrel = {
+      {0.0, -0.16}, {0.05, -0.155}, {0.075, -0.12}, {0.08, 0.08}, {0.105, 0.13}};
   MeshData housing;
   const dmat4 forward = glm::rotate(dmat4(1.0), glm::half_pi<double>(), dvec3(1, 0, 0));
   housing.append(room::lathe(barrel, 32, 16, {2, 1}), forward);
   add(iron_, std::move(housing), {Receiver::None, kWarmLight, 0.6});
   hang(fixture_);
   MeshData lens;
-  lens.append(room::lathe({{0.104, 0.0}, {0.0, 0.012}}, 32, 4), glm::translate(dmat4(1.0), dvec3(0, 0, 0.10)) * forward);
+  lens.append(room::lathe({{0.104, 0.0}, {0.0, 0.012}}, 32, 4),
+              glm::translate(dmat4(1.0), dvec3(0, 0, 0.10)) * forward);
   addGlowing(std::move(lens), {0.72, 0.86, 1.0});
   hang(fixture_);
 }

@@ -16,7 +16,9 @@ constexpr int kRampSize = 256;
 constexpr int kHighlightSize = 128;
 constexpr int kGlowSize = 128;
 
-double ring(double r, double at, double width) { return std::exp(-((r - at) / width) * ((r - at) / width)); }
+double ring(double r, double at, double width) {
+  return std::exp(-((r - at) / width) * ((r - at) / width));
+}
 
 float bulbAt(double x, double y) {
   const double r = std::hypot(x, y);
@@ -34,8 +36,8 @@ float lensAt(double x, double y) {
   const double edge = 1 - room::smoothStep(0.885, 0.945, r);
   const double halo = 0.10 * (1 - room::smoothStep(0.90, 0.99, r));
   const double core = 0.74 + 0.12 * std::exp(-5.0 * r * r);
-  const double rings = 0.16 * ring(r, 0.87, 0.030) - 0.12 * ring(r, 0.79, 0.035) + 0.07 * ring(r, 0.66, 0.05) -
-                       0.06 * ring(r, 0.50, 0.05) + 0.05 * ring(r, 0.30, 0.06);
+  const double rings = 0.16 * ring(r, 0.87, 0.030) - 0.12 * ring(r, 0.79, 0.035) +
+                       0.07 * ring(r, 0.66, 0.05) - 0.06 * ring(r, 0.50, 0.05) + 0.05 * ring(r, 0.30, 0.06);
   return static_cast<float>(std::clamp(edge * (core + rings) + (1 - edge) * halo, 0.0, 1.0));
 }
 
@@ -46,9 +48,13 @@ room::Image falloff(float (*at)(double, double)) {
 
 }  // namespace
 
-room::Image bulbFalloff() { return falloff(bulbAt); }
+room::Image bulbFalloff() {
+  return falloff(bulbAt);
+}
 
-room::Image lensFalloff() { return falloff(lensAt); }
+room::Image lensFalloff() {
+  return falloff(lensAt);
+}
 
 room::Image rampImage() {
   return room::generate(kRampSize, 1, 1, [](double u, double, float* out) {

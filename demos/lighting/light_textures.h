@@ -7,8 +7,8 @@
 
 namespace lighting {
 
-// What a spotlight projects; 0 at the edge. A shaded bulb: a bright core that fades into spokes. A stage light: an
-// even disc with the rings of its lens.
+// What a spotlight projects; 0 at the edge. A shaded bulb: a bright core that fades into spokes. A stage
+// light: an even disc with the rings of its lens.
 room::Image bulbFalloff();
 room::Image lensFalloff();
 // 256x1 along the light's axis: 0 behind the near plane, 1 in front of it, fading out at the range.

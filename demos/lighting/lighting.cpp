@@ -27,7 +27,9 @@ constexpr int kUnits = 3;
 
 // The stencil byte: one bit a light for "already darkened", and the receiver above them.
 constexpr GLuint kShadowBits = (1U << kLights) - 1;
-constexpr GLuint stencilOf(Receiver receiver) { return static_cast<GLuint>(receiver) << kLights; }
+constexpr GLuint stencilOf(Receiver receiver) {
+  return static_cast<GLuint>(receiver) << kLights;
+}
 
 struct Terms {
   bool bump = false;
@@ -136,14 +138,15 @@ class Lighting final : public room::Demo {
   PFNGLTEXGENIOESPROC texGeni_ = nullptr;
   glm::dmat4 camera_{1.0};
   glm::dvec3 eye_{0};
-  // A color a vertex and part for the light at hand: the light vector in tangent space, scaled and biased, and the
-  // attenuation in alpha.
+  // A color a vertex and part for the light at hand: the light vector in tangent space, scaled and biased,
+  // and the attenuation in alpha.
   std::vector<std::vector<glm::vec4>> lit_;
 };
 
 void Lighting::setup() {
   if (!room::hasExtension("GL_OES_texture_cube_map")) {
-    throw std::runtime_error("lighting needs GL_OES_texture_cube_map, which this implementation does not have");
+    throw std::runtime_error(
+        "lighting needs GL_OES_texture_cube_map, which this implementation does not have");
   }
   GLint units = 0;
   glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
@@ -168,12 +171,14 @@ void Lighting::frame(const room::View& view, std::string_view stage) {
   const double turn = glm::two_pi<double>() * view.time;
   const double angle = glm::radians(7.0 + 13.0 * std::sin(turn / 26.0));
   const glm::dvec3 target(0.12, 1.10, -1.2);
-  eye_ = target + glm::dvec3(4.55 * std::sin(angle), 0.55 + 0.15 * std::sin(turn / 17.0), 4.55 * std::cos(angle));
+  eye_ = target +
+         glm::dvec3(4.55 * std::sin(angle), 0.55 + 0.15 * std::sin(turn / 17.0), 4.55 * std::cos(angle));
   camera_ = glm::lookAt(eye_, target, glm::dvec3(0, 1, 0));
 
   glViewport(0, 0, view.width, view.height);
   glMatrixMode(GL_PROJECTION);
-  room::loadMatrix(glm::perspective(glm::radians(50.0), static_cast<double>(view.width) / view.height, 0.1, 20.0));
+  room::loadMatrix(
+      glm::perspective(glm::radians(50.0), static_cast<double>(view.width) / view.height, 0.1, 20.0));
   glMatrixMode(GL_MODELVIEW);
 
   drawBase(terms);
@@ -192,7 +197,8 @@ void Lighting::frame(const room::View& view, std::string_view stage) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-// Depth, the stencil values of the receivers, and the ambient light (or what takes its place in a single stage).
+// Depth, the stencil values of the receivers, and the ambient light (or what takes its place in a single
+// stage).
 void Lighting::drawBase(const Terms& terms) {
   resetState();
   glDepthMask(GL_TRUE);
@@ -237,9 +243,9 @@ void Lighting::lightVertices(const Spotlight& light) {
     for (const room::Vertex& v : part.data.vertices) {
       const glm::dvec3 toLight = lamp - v.position;
       const double distance = std::max(glm::length(toLight), 1e-6);
-      const glm::dvec3 tangentSpace =
-          glm::dvec3(glm::dot(v.tangent, toLight), glm::dot(v.bitangent, toLight), glm::dot(v.normal, toLight)) /
-          distance;
+      const glm::dvec3 tangentSpace = glm::dvec3(glm::dot(v.tangent, toLight), glm::dot(v.bitangent, toLight),
+                                                 glm::dot(v.normal, toLight)) /
+                                      distance;
       // Bumps must not catch light that comes from behind the surface.
       const double facing = std::clamp(tangentSpace.z * 6.0 + 0.5, 0.0, 1.0);
       lit_[i].emplace_back(glm::vec3(tangentSpace * 0.5 + 0.5),
@@ -285,8 +291,8 @@ void Lighting::drawMask(int lightIndex, const Terms& terms) {
   }
 }
 
-// Flattens every caster onto every receiver. The stencil lets only pixels of the receiver pass that this light has
-// not darkened yet, so neither depth nor overlap matters.
+// Flattens every caster onto every receiver. The stencil lets only pixels of the receiver pass that this
+// light has not darkened yet, so neither depth nor overlap matters.
 void Lighting::drawShadows(int lightIndex, bool alone) {
   const Spotlight& light = scene_->lights()[static_cast<std::size_t>(lightIndex)];
   const GLuint bit = 1U << lightIndex;
@@ -319,8 +325,8 @@ void Lighting::drawShadows(int lightIndex, bool alone) {
   glStencilMask(~0U);
 }
 
-// color += N.L * base * light color * destination alpha. The scales of units 1 and 2 make up for the constant color,
-// which ends at 1, and for what attenuation takes.
+// color += N.L * base * light color * destination alpha. The scales of units 1 and 2 make up for the constant
+// color, which ends at 1, and for what attenuation takes.
 void Lighting::drawBump(const Spotlight& light) {
   resetState();
   glEnable(GL_BLEND);
@@ -366,8 +372,8 @@ void Lighting::drawFlat(const Spotlight& light) {
   }
 }
 
-// The cube map holds a highlight about its +Z axis, drawn out along y; the texture matrix turns the light's direction
-// and the object's upright axis there.
+// The cube map holds a highlight about its +Z axis, drawn out along y; the texture matrix turns the light's
+// direction and the object's upright axis there.
 void Lighting::drawSpecular(const Spotlight& light) {
   resetState();
   glEnable(GL_BLEND);
@@ -429,7 +435,8 @@ void Lighting::drawHalo(const Spotlight& light) {
   glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-// The shell of the light's cone. It fades where it is seen edge-on, as there is least air behind it, and with distance.
+// The shell of the light's cone. It fades where it is seen edge-on, as there is least air behind it, and with
+// distance.
 void Lighting::drawBeam(const Spotlight& light) {
   constexpr int kSides = 64;
   constexpr int kRings = 16;
@@ -452,7 +459,8 @@ void Lighting::drawBeam(const Spotlight& light) {
       const double facing = glm::dot(normal, glm::normalize(eye_ - point));
       const double fade = 1 - along / kLength;
       points[static_cast<std::size_t>(i)] = point;
-      colors[static_cast<std::size_t>(i)] = glm::vec4(light.color * (light.beam * fade * fade * facing * facing), 1.0);
+      colors[static_cast<std::size_t>(i)] =
+          glm::vec4(light.color * (light.beam * fade * fade * facing * facing), 1.0);
     }
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kSides + 1));
   }
@@ -461,6 +469,8 @@ void Lighting::drawBeam(const Spotlight& light) {
 
 }  // namespace
 
-std::unique_ptr<room::Demo> makeLighting() { return std::make_unique<Lighting>(); }
+std::unique_ptr<room::Demo> makeLighting() {
+  return std::make_unique<Lighting>();
+}
 
 }  // namespace lighting

@@ -82,8 +82,8 @@ Scene::Scene() {
     std::vector<glm::vec3> ambient;
     ambient.reserve(part.data.vertices.size());
     for (const room::Vertex& v : part.data.vertices) {
-      ambient.push_back(ambientAt(glm::dvec3(part.model * glm::dvec4(v.position, 1.0)),
-                                  glm::dmat3(part.model) * v.normal));
+      ambient.push_back(
+          ambientAt(glm::dvec3(part.model * glm::dvec4(v.position, 1.0)), glm::dmat3(part.model) * v.normal));
     }
     part.mesh = std::make_unique<room::Mesh>(part.data, ambient);
   }

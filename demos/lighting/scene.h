@@ -71,7 +71,8 @@ class Scene {
   void addPaper();
   void addLamps();
 
-  Material brick_, tiles_, plaster_, wood_, paintedWood_, pipePaint_, enamel_, iron_, paper_, poster_, can_, lid_;
+  Material brick_, tiles_, plaster_, wood_, paintedWood_, pipePaint_, enamel_, iron_, paper_, poster_, can_,
+      lid_;
   std::vector<Part> parts_;
   std::vector<std::size_t> pendant_;  // parts that swing
   std::vector<std::size_t> fixture_;  // parts that turn

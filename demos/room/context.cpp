@@ -75,7 +75,9 @@ Context::Context(int width, int height, int samples) : width_(width), height_(he
       width, height, eglGetError()));
 }
 
-Context::~Context() { close(); }
+Context::~Context() {
+  close();
+}
 
 bool Context::open(EGLDisplay display, int samples) {
   if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return false;

@@ -9,8 +9,8 @@
 namespace room {
 
 struct View {
-  int width = 0;   // pixels
-  int height = 0;  // pixels
+  int width = 0;    // pixels
+  int height = 0;   // pixels
   double time = 0;  // seconds; the picture depends on nothing else but the stage
 };
 

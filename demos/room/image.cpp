@@ -9,8 +9,12 @@
 namespace room {
 namespace {
 
-const float* rowOf(const Image& image, int y) { return static_cast<const float*>(image.pixeladdr(0, y)); }
-float* rowOf(Image& image, int y) { return static_cast<float*>(image.pixeladdr(0, y)); }
+const float* rowOf(const Image& image, int y) {
+  return static_cast<const float*>(image.pixeladdr(0, y));
+}
+float* rowOf(Image& image, int y) {
+  return static_cast<float*>(image.pixeladdr(0, y));
+}
 
 Image makeImage(int width, int height, int channels) {
   return Image(OIIO::ImageSpec(width, height, channels, OIIO::TypeDesc::FLOAT), OIIO::InitializePixels::No);
@@ -99,8 +103,9 @@ Image objectNormals(const Image& height, const SurfaceFunction& point) {
       const double texelV = glm::length(dv);
       const glm::dvec3 normal = glm::normalize(glm::cross(du, dv));
       const glm::dvec2 step = rise(height, x, y);
-      storeNormal(glm::normalize(normal - du * (step.x / (texelU * texelU)) - dv * (step.y / (texelV * texelV))),
-                  out + 3 * x);
+      storeNormal(
+          glm::normalize(normal - du * (step.x / (texelU * texelU)) - dv * (step.y / (texelV * texelV))),
+          out + 3 * x);
     }
   });
   return normals;

@@ -30,9 +30,11 @@ struct BakedTexels {
 BakedTexels bake(int width, int height, const TexelFunction& texel);
 
 // Any image by a function of the texel centre (u, v) that fills its channels.
-Image generate(int width, int height, int channels, const std::function<void(double u, double v, float* out)>& f);
+Image generate(int width, int height, int channels,
+               const std::function<void(double u, double v, float* out)>& f);
 
-// Unit normals in tangent space, scaled and biased to [0,1]; one repeat of the texture covers `extent` metres.
+// Unit normals in tangent space, scaled and biased to [0,1]; one repeat of the texture covers `extent`
+// metres.
 Image tangentNormals(const Image& height, glm::dvec2 extent);
 
 // The same in the object's own space for a texture that is wrapped around a surface once.

@@ -13,8 +13,12 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-double fractionOf(double x) { return x - std::floor(x); }
-double clamp01(double x) { return std::clamp(x, 0.0, 1.0); }
+double fractionOf(double x) {
+  return x - std::floor(x);
+}
+double clamp01(double x) {
+  return std::clamp(x, 0.0, 1.0);
+}
 
 // Metres from a point inside a cell of the given size to the cell's nearest edge.
 double insetOf(dvec2 inCell, dvec2 size) {
@@ -92,7 +96,8 @@ Texel checkerTiles(double u, double v) {
   const double tiltX = (hash(column, row, 58) - 0.5) * 0.012;
   const double tiltY = (hash(column, row, 59) - 0.5) * 0.012;
   t.height = body * (0.0045 + tiltX * (inCell.x - size.x / 2) + tiltY * (inCell.y - size.y / 2)) +
-             (1 - body) * 0.001 * fractalNoise(u, v, 128, 128, 2, 60) + fractalNoise(u, v, 20, 20, 3, 61) * 0.0013;
+             (1 - body) * 0.001 * fractalNoise(u, v, 128, 128, 2, 60) +
+             fractalNoise(u, v, 20, 20, 3, 61) * 0.0013;
   t.gloss = body;
   return t;
 }
@@ -101,7 +106,8 @@ Texel plaster(double u, double v) {
   const double trowel = fractalNoise(u + 0.05 * fractalNoise(u, v, 4, 4, 2, 71), v, 10, 14, 5, 72);
   const double stain = smoothStep(0.05, 0.5, fractalNoise(u, v, 3, 3, 5, 73));
   const double crackLine = std::abs(fractalNoise(u, v, 4, 4, 5, 74));
-  const double crack = (1 - smoothStep(0.0, 0.006, crackLine)) * smoothStep(0.0, 0.2, fractalNoise(u, v, 3, 3, 2, 75));
+  const double crack =
+      (1 - smoothStep(0.0, 0.006, crackLine)) * smoothStep(0.0, 0.2, fractalNoise(u, v, 3, 3, 2, 75));
   Texel t;
   t.color = glm::mix(dvec3(0.66, 0.62, 0.55), dvec3(0.45, 0.37, 0.27), stain * 0.7) * (0.95 + 0.2 * trowel);
   t.color *= 1 - 0.5 * crack;
@@ -147,7 +153,8 @@ Texel paintedMetal(double u, double v, dvec3 paint) {
 }
 
 Texel zinc(double u, double v, int crystalsX, int crystalsY) {
-  const CellDistance crystal = cellNoise(u + 0.004 * noise(u * 60, v * 60, 60, 60, 111), v, crystalsX, crystalsY, 112);
+  const CellDistance crystal =
+      cellNoise(u + 0.004 * noise(u * 60, v * 60, 60, 60, 111), v, crystalsX, crystalsY, 112);
   const double shade = 0.88 + 0.24 * crystal.identity;
   const double smudge = fractalNoise(u, v, 8, 6, 5, 113);
   const double rust = smoothStep(0.24, 0.42, fractalNoise(u, v, 8, 8, 6, 114));

@@ -18,9 +18,13 @@ struct PackedVertex {
 };
 static_assert(sizeof(PackedVertex) == 36);
 
-const void* bufferOffset(std::size_t offset) { return reinterpret_cast<const void*>(offset); }
+const void* bufferOffset(std::size_t offset) {
+  return reinterpret_cast<const void*>(offset);
+}
 
-std::uint8_t toByte(float x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0F, 1.0F) * 255)); }
+std::uint8_t toByte(float x) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0F, 1.0F) * 255));
+}
 
 glm::dvec3 anyPerpendicular(glm::dvec3 n) {
   const glm::dvec3 axis = std::abs(n.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
@@ -89,7 +93,8 @@ MeshData surface(int columns, int rows, const SurfaceFunction& point, glm::dvec2
     for (int column = 0; column < columns; ++column) {
       const int a = row * (columns + 1) + column;
       const int b = a + columns + 1;
-      for (int index : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(static_cast<std::uint16_t>(index));
+      for (int index : {a, a + 1, b + 1, a, b + 1, b})
+        mesh.indices.push_back(static_cast<std::uint16_t>(index));
     }
   }
   return mesh;
@@ -104,7 +109,8 @@ SurfaceFunction latheFunction(std::vector<glm::dvec2> profile) {
     const double at = std::clamp(v, 0.0, 1.0) * length.back();
     const auto next = std::upper_bound(length.begin() + 1, length.end() - 1, at);
     const auto i = static_cast<std::size_t>(next - length.begin());
-    const glm::dvec2 p = glm::mix(profile[i - 1], profile[i], (at - length[i - 1]) / (length[i] - length[i - 1]));
+    const glm::dvec2 p =
+        glm::mix(profile[i - 1], profile[i], (at - length[i - 1]) / (length[i] - length[i - 1]));
     const double angle = -u * glm::two_pi<double>();
     return glm::dvec3(p.x * std::cos(angle), p.y, p.x * std::sin(angle));
   };
@@ -162,7 +168,8 @@ MeshData tube(const std::vector<glm::dvec3>& path, double radius, double bend, i
       v.tangent = other * std::cos(angle) - side * std::sin(angle);
       v.bitangent = along;
       v.position = line[i] + v.normal * radius;
-      v.uv = {std::round(std::max(1.0, glm::two_pi<double>() * radius * texels)) * k / sides, length * texels};
+      v.uv = {std::round(std::max(1.0, glm::two_pi<double>() * radius * texels)) * k / sides,
+              length * texels};
       mesh.vertices.push_back(v);
     }
   }
@@ -170,7 +177,8 @@ MeshData tube(const std::vector<glm::dvec3>& path, double radius, double bend, i
     for (int k = 0; k < sides; ++k) {
       const int a = static_cast<int>(row) * (sides + 1) + k;
       const int b = a + sides + 1;
-      for (int index : {a, a + 1, b + 1, a, b + 1, b}) mesh.indices.push_back(static_cast<std::uint16_t>(index));
+      for (int index : {a, a + 1, b + 1, a, b + 1, b})
+        mesh.indices.push_back(static_cast<std::uint16_t>(index));
     }
   }
   // The normal must be tangent x bitangent: T = other, B = along gives N = other x along = side at angle 0.
@@ -181,7 +189,8 @@ MeshData sphere(double radius, int columns, int rows) {
   return surface(columns, rows, [radius](double u, double v) {
     const double angle = -u * glm::two_pi<double>();
     const double polar = (1.0 - v) * glm::pi<double>();
-    return radius * glm::dvec3(std::sin(polar) * std::cos(angle), std::cos(polar), std::sin(polar) * std::sin(angle));
+    return radius *
+           glm::dvec3(std::sin(polar) * std::cos(angle), std::cos(polar), std::sin(polar) * std::sin(angle));
   });
 }
 
@@ -205,7 +214,9 @@ Mesh::Mesh(const MeshData& data, const std::vector<glm::vec3>& colors)
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
 }
 
-Mesh::~Mesh() { glDeleteBuffers(2, buffers_); }
+Mesh::~Mesh() {
+  glDeleteBuffers(2, buffers_);
+}
 
 void Mesh::bindPositions() const {
   glBindBuffer(GL_ARRAY_BUFFER, buffers_[0]);

@@ -20,7 +20,9 @@ int floorOf(double x) {
   return truncated - (x < truncated ? 1 : 0);
 }
 
-double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
+double fade(double t) {
+  return t * t * t * (t * (t * 6 - 15) + 10);
+}
 
 std::uint32_t hashBits(int x, int y, std::uint32_t seed) {
   std::uint32_t h = seed * 0x9E3779B9U + static_cast<std::uint32_t>(x) * 0x85EBCA6BU;
@@ -31,20 +33,15 @@ std::uint32_t hashBits(int x, int y, std::uint32_t seed) {
 
 // Eight directions are enough, and cheaper than a sine and a cosine a corner.
 constexpr double kHalf = 0.7071067811865476;
-constexpr std::array<std::array<double, 2>, 8> kDirections = {{{1, 0},
-                                                              {kHalf, kHalf},
-                                                              {0, 1},
-                                                              {-kHalf, kHalf},
-                                                              {-1, 0},
-                                                              {-kHalf, -kHalf},
-                                                              {0, -1},
-                                                              {kHalf, -kHalf}}};
+constexpr std::array<std::array<double, 2>, 8> kDirections = {
+    {{1, 0}, {kHalf, kHalf}, {0, 1}, {-kHalf, kHalf}, {-1, 0}, {-kHalf, -kHalf}, {0, -1}, {kHalf, -kHalf}}};
 
 // The bytes 0..255 shuffled: noise asks for four random directions a sample, and two look-ups give one.
 std::array<std::uint8_t, 512> makeShuffle() {
   std::array<std::uint8_t, 512> table{};
   for (unsigned i = 0; i < 256; ++i) table[i] = static_cast<std::uint8_t>(i);
-  for (unsigned i = 255; i > 0; --i) std::swap(table[i], table[hashBits(static_cast<int>(i), 0, 1) % (i + 1)]);
+  for (unsigned i = 255; i > 0; --i)
+    std::swap(table[i], table[hashBits(static_cast<int>(i), 0, 1) % (i + 1)]);
   std::copy_n(table.begin(), 256, table.begin() + 256);
   return table;
 }
@@ -53,7 +50,9 @@ const std::array<std::uint8_t, 512> kShuffle = makeShuffle();
 
 }  // namespace
 
-double hash(int x, int y, std::uint32_t seed) { return hashBits(x, y, seed) * (1.0 / 4294967296.0); }
+double hash(int x, int y, std::uint32_t seed) {
+  return hashBits(x, y, seed) * (1.0 / 4294967296.0);
+}
 
 double noise(double x, double y, int periodX, int periodY, std::uint32_t seed) {
   const int column = floorOf(x);

@@ -65,7 +65,8 @@ Picture reducePicture(const Picture& picture, int factor) {
 void writePicture(const std::filesystem::path& file, const Picture& picture) {
   auto output = create(file);
   const bool linear = file.extension() == ".exr";
-  OIIO::ImageSpec spec(picture.width, picture.height, 3, linear ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
+  OIIO::ImageSpec spec(picture.width, picture.height, 3,
+                       linear ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", linear ? "Linear" : "sRGB");
   if (!output->open(file.string(), spec)) throw writeError(file, output->geterror());
   bool written = false;

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-
 namespace room {
 
 // 8-bit RGB as it is displayed (sRGB), top row first.

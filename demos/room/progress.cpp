@@ -33,8 +33,8 @@ void Progress::paintBar(double seconds) const {
   constexpr int kWidth = 40;
   const int full = kWidth * done_ / total_;
   const double left = seconds / done_ * (total_ - done_);
-  fmt::print(stderr, "\r{} [{:=>{}}{:>{}}] {}/{}  {:.0f} s left\033[K", label_, "", full, "", kWidth - full, done_,
-             total_, left);
+  fmt::print(stderr, "\r{} [{:=>{}}{:>{}}] {}/{}  {:.0f} s left\033[K", label_, "", full, "", kWidth - full,
+             done_, total_, left);
   std::fflush(stderr);
 }
 

@@ -39,14 +39,17 @@ GLenum formatOf(const Image& image, GLenum singleChannel) {
 void setSampling(GLenum target, Filter filter, GLenum wrap) {
   const GLint magnify = filter == Filter::Nearest ? GL_NEAREST : GL_LINEAR;
   glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_LINEAR : magnify);
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER,
+                  filter == Filter::Mipmapped ? GL_LINEAR_MIPMAP_LINEAR : magnify);
   glTexParameteri(target, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap));
   glTexParameteri(target, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
 }
 
 }  // namespace
 
-Texture::Texture(GLenum target) : target_(target) { glGenTextures(1, &name_); }
+Texture::Texture(GLenum target) : target_(target) {
+  glGenTextures(1, &name_);
+}
 
 Texture::~Texture() {
   if (name_ != 0) glDeleteTextures(1, &name_);

@@ -8,8 +8,8 @@ namespace room {
 // [-1,1] to [0,1] in x, y and z.
 glm::dmat4 biasMatrix();
 
-// Flattens what lies between a point light and a plane (unit normal, dot(normal, p) + offset = 0) onto that plane.
-// A result with w <= 0 comes from a point at or behind the light and must be clipped away.
+// Flattens what lies between a point light and a plane (unit normal, dot(normal, p) + offset = 0) onto that
+// plane. A result with w <= 0 comes from a point at or behind the light and must be clipped away.
 glm::dmat4 planarShadow(glm::dvec4 plane, glm::dvec3 light);
 
 // The rotation that takes the unit vector `forward` to +Z and `up`, as far as it is perpendicular, to +Y.
