@@ -214,7 +214,7 @@ void Lighting::drawBase(const Terms& terms) {
     glStencilFunc(GL_ALWAYS, static_cast<GLint>(stencilOf(part.receiver)), ~0U);
     place(part);
     part.mesh->bindPositions();
-    if (part.material == nullptr || terms.bump) {
+    if (terms.bump) {
       glEnableClientState(GL_COLOR_ARRAY);
       part.mesh->bindColors();
     } else {
@@ -363,7 +363,7 @@ void Lighting::drawFlat(const Spotlight& light) {
   resetState();
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_ALPHA, GL_ONE);
-  setColor(light.color);
+  setColor(light.color * 0.5);
   for (const Part& part : scene_->parts()) {
     if (part.material == nullptr) continue;
     place(part);
