@@ -160,6 +160,8 @@ void list() {
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
+  // A later option overrides an earlier one, so that scripts can have defaults.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.add_option("demo", options.demo, fmt::format("{}, or all", fmt::join(demoNames(), ", ")));
   app.add_flag("--list", options.list, "say which demos and stages there are");
   app.add_option("--size", options.size, "picture size in pixels")->capture_default_str();
