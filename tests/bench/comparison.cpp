@@ -31,7 +31,11 @@ std::vector<std::string> workerArguments(const Plan& plan, const std::string& wo
   std::vector<std::string> arguments = {"--worker", worker, "--visit",
                                         std::to_string(plan.visitMilliseconds)};
   for (const std::string& part : plan.filter.parts) arguments.insert(arguments.end(), {"--filter", part});
-  arguments.insert(arguments.end(), {"--start", std::to_string(now())});
+  if (plan.clock == Clock::kProcessor) {
+    arguments.emplace_back("--cpu");
+  } else {
+    arguments.insert(arguments.end(), {"--start", std::to_string(now(Clock::kWall))});
+  }
   return arguments;
 }
 
@@ -50,7 +54,7 @@ void addRound(const Plan& plan, const std::string& worker, const Environment& en
     Measurement& sum = result.measurements[measurement.name];
     sum.name = measurement.name;
     sum.unit = measurement.unit;
-    if (sum.fault.empty()) sum.fault = measurement.fault;
+    sum.verdict = worst(sum.verdict, measurement.verdict);
     if (!measurement.samples.empty()) sum.samples.push_back(median(measurement.samples));
   }
 }

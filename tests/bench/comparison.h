@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "clock.h"
 #include "measurement.h"
 #include "process.h"
 #include "report.h"
@@ -19,6 +20,7 @@ struct Plan {
   NameFilter filter;
   int rounds = 5;
   int visitMilliseconds = 250;
+  Clock clock = Clock::kWall;
 };
 
 // Runs the workers of all implementations, interleaved, in fresh processes. Throws std::system_error when

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "pixels.h"
 #include "scene.h"
 #include "session.h"
 
@@ -33,7 +32,7 @@ void clearBackground() {
 
 // A triangle in every cell, in the colour that `color(cell)` names, and nothing between them.
 template <typename Color>
-std::string checkCells(Color color) {
+Verdict checkCells(Color color) {
   Picture picture;
   for (unsigned cell = 0; cell < kDraws; cell += 7) {
     picture.expect(cellX(cell) + 1, cellY(cell) + 1, color(cell));
@@ -66,7 +65,7 @@ class ClientColorDraws : public Scene {
     }
   }
 
-  std::string check(unsigned number) const override {
+  Verdict check(unsigned number) const override {
     return checkCells([number](unsigned cell) { return variedColor(cell + number); });
   }
 
@@ -101,7 +100,7 @@ class BufferMatrixDraws : public Scene {
     }
   }
 
-  std::string check(unsigned number) const override {
+  Verdict check(unsigned number) const override {
     return checkCells([number](unsigned) { return variedColor(number); });
   }
 };

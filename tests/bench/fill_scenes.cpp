@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pixels.h"
 #include "scene.h"
 #include "session.h"
 
@@ -70,7 +69,7 @@ class FillScene : public Scene {
     }
   }
 
-  std::string check(unsigned number) const override {
+  Verdict check(unsigned number) const override {
     Picture picture;
     for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
       Rgb wanted = {51, 51, 51};

@@ -27,7 +27,7 @@ struct Options {
   std::vector<std::string> others;
   // What a worker is told.
   std::string worker;
-  std::int64_t start = 0;
+  Nanoseconds start = 0;
 };
 
 // NAME:VARIABLE=VALUE,VARIABLE=VALUE
@@ -75,9 +75,10 @@ void list() {
 }
 
 void work(const Options& options) {
-  const nlohmann::json report = options.worker == "steady"
-                                    ? measureSteady(options.plan.filter, options.plan.visitMilliseconds)
-                                    : measureFresh(options.worker, options.start);
+  const WorkerTask task{options.plan.filter, options.plan.clock, options.plan.visitMilliseconds,
+                        options.start};
+  const nlohmann::json report =
+      options.worker == "steady" ? measureSteady(task) : measureFresh(task, options.worker);
   std::puts(report.dump().c_str());
 }
 
@@ -90,7 +91,7 @@ bool report(Options& options) {
                            : options.csv ? asCsv(rows)
                                          : asTable(results, rows);
   std::fputs(text.c_str(), stdout);
-  return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.fault.empty(); }) &&
+  return std::all_of(rows.begin(), rows.end(), [](const Row& row) { return row.verdict.fault.empty(); }) &&
          std::all_of(results.begin(), results.end(),
                      [](const auto& result) { return result.faults.empty(); });
 }
@@ -109,6 +110,9 @@ void describe(CLI::App& app, Options& options) {
                  "milliseconds that a scene is repeated at a time, five frames at least")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
+  app.add_flag_callback(
+      "--cpu", [&] { options.plan.clock = Clock::kProcessor; },
+      "processor time of all threads instead of wall-clock time: steadier on a busy machine");
   app.add_flag("--csv", options.csv, "comma-separated values instead of a table");
   app.add_flag("--json", options.json, "JSON instead of a table")->excludes("--csv");
   app.add_flag("--list", options.list, "what can be measured");

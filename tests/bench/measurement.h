@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pixels.h"
+
 namespace bench {
 
 // What one process measured under one name.
@@ -12,10 +14,11 @@ struct Measurement {
   std::string name;
   std::string unit;             // "ms" or "MiB"
   std::vector<double> samples;  // empty when faulty
-  std::string fault;            // why the picture was wrong, else empty
+  Verdict verdict;              // on what was drawn meanwhile
 };
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, unit, samples, fault)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Verdict, fault, error)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Measurement, name, unit, samples, verdict)
 
 // What a worker process hands to the one that started it.
 struct WorkerReport {
@@ -38,6 +41,9 @@ struct NameFilter {
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return matches(name); });
   }
 };
+
+// The first fault and the greatest error of both.
+Verdict worst(const Verdict& first, const Verdict& second);
 
 // Of a non-empty set.
 double median(std::vector<double> values);

@@ -20,18 +20,19 @@ Picture::Picture() : texels_(std::size_t{4} * kWidth * kHeight) {
 
 void Picture::expect(int x, int y, Rgb wanted, int tolerance) {
   const std::uint8_t* seen = &texels_[std::size_t{4} * (std::size_t(y) * kWidth + std::size_t(x))];
-  bool right = true;
+  int error = 0;
   for (std::size_t channel = 0; channel < 3; ++channel)
-    right = right && std::abs(int{seen[channel]} - wanted[channel]) <= tolerance;
-  if (right) return;
+    error = std::max(error, std::abs(int{seen[channel]} - wanted[channel]));
+  error_ = std::max(error_, error);
+  if (error <= tolerance) return;
   if (faults_++ == 0)
     firstFault_ = fmt::format("pixel ({}, {}) is ({}, {}, {}), should be ({}, {}, {})", x, y, seen[0],
                               seen[1], seen[2], wanted[0], wanted[1], wanted[2]);
 }
 
-std::string Picture::verdict() const {
-  if (faults_ < 2) return firstFault_;
-  return fmt::format("{} (and {} more)", firstFault_, faults_ - 1);
+Verdict Picture::verdict() const {
+  if (faults_ < 2) return {firstFault_, error_};
+  return {fmt::format("{} (and {} more)", firstFault_, faults_ - 1), error_};
 }
 
 Rgb variedColor(unsigned n) {

@@ -25,26 +25,31 @@ Row makeRow(const ImplementationResult& result, const Measurement& measurement, 
   row.name = measurement.name;
   row.unit = measurement.unit;
   row.implementation = result.name;
-  row.fault = measurement.fault;
-  if (!row.fault.empty() || measurement.samples.empty()) return row;
+  row.verdict = measurement.verdict;
+  if (!row.verdict.fault.empty() || measurement.samples.empty()) return row;
   const auto [least, greatest] = std::minmax_element(measurement.samples.begin(), measurement.samples.end());
   row.rounds = measurement.samples.size();
   row.median = median(measurement.samples);
   row.least = *least;
   row.greatest = *greatest;
   row.spread = row.median > 0 ? (row.greatest - row.least) / 2 / row.median : 0;
-  if (baseline && baseline->fault.empty()) row.ratio = pairedRatio(measurement.samples, baseline->samples);
+  if (baseline && baseline->verdict.fault.empty())
+    row.ratio = pairedRatio(measurement.samples, baseline->samples);
   return row;
 }
 
 std::string cell(const Row& row) {
-  if (!row.fault.empty()) return "WRONG";
+  if (!row.verdict.fault.empty()) return "WRONG";
   if (row.rounds == 0) return "-";
   const std::string ratio = row.ratio > 0 ? fmt::format("{:6.2f}x", row.ratio) : "";
-  return fmt::format("{:9.3f} ±{:3.0f}%{}", row.median, 100 * row.spread, ratio);
+  return fmt::format("{:9.3f} ±{:3.0f}%{} {:2d}", row.median, 100 * row.spread, ratio, row.verdict.error);
 }
 
 }  // namespace
+
+Verdict worst(const Verdict& first, const Verdict& second) {
+  return {first.fault.empty() ? second.fault : first.fault, std::max(first.error, second.error)};
+}
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -71,8 +76,8 @@ std::string asTable(const std::vector<ImplementationResult>& results, const std:
     text += fmt::format("{}: {}\n", result.name, result.implementation);
     for (const std::string& fault : result.faults) text += fmt::format("  FAULT: {}\n", fault);
   }
-  text += fmt::format("\n{:46}", "median, spread, ratio");
-  for (const ImplementationResult& result : results) text += fmt::format("{:>24}", result.name);
+  text += fmt::format("\n{:46}", "median, spread, ratio, error in 1/255");
+  for (const ImplementationResult& result : results) text += fmt::format("{:>27}", result.name);
 
   std::string current;
   std::size_t column = 0;
@@ -83,23 +88,23 @@ std::string asTable(const std::vector<ImplementationResult>& results, const std:
       text += fmt::format("\n{:46}", row.name + " [" + row.unit + "]");
     }
     for (; column < results.size() && results[column].name != row.implementation; ++column)
-      text += fmt::format("{:>24}", "-");
-    text += fmt::format("{:>24}", cell(row));
+      text += fmt::format("{:>27}", "-");
+    text += fmt::format("{:>27}", cell(row));
     ++column;
   }
   text += "\n";
   for (const Row& row : rows)
-    if (!row.fault.empty())
-      text += fmt::format("WRONG {} of {}: {}\n", row.name, row.implementation, row.fault);
+    if (!row.verdict.fault.empty())
+      text += fmt::format("WRONG {} of {}: {}\n", row.name, row.implementation, row.verdict.fault);
   return text;
 }
 
 std::string asCsv(const std::vector<Row>& rows) {
-  std::string text = "name,unit,implementation,median,least,greatest,rounds,ratio,fault\n";
+  std::string text = "name,unit,implementation,median,least,greatest,rounds,ratio,error,fault\n";
   for (const Row& row : rows)
-    text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{},{:.4g},\"{}\"\n", row.name, row.unit,
+    text += fmt::format("{},{},{},{:.6g},{:.6g},{:.6g},{},{:.4g},{},\"{}\"\n", row.name, row.unit,
                         row.implementation, row.median, row.least, row.greatest, row.rounds, row.ratio,
-                        row.fault);
+                        row.verdict.error, row.verdict.fault);
   return text;
 }
 
@@ -110,12 +115,15 @@ std::string asJson(const std::vector<ImplementationResult>& results, const std::
         {{"name", result.name}, {"says", result.implementation}, {"faults", result.faults}});
   for (const Row& row : rows) {
     nlohmann::json entry = {{"name", row.name}, {"unit", row.unit}, {"implementation", row.implementation}};
-    if (row.fault.empty()) {
-      entry.update(
-          {{"median", row.median}, {"least", row.least}, {"greatest", row.greatest}, {"rounds", row.rounds}});
+    if (row.verdict.fault.empty()) {
+      entry.update({{"median", row.median},
+                    {"least", row.least},
+                    {"greatest", row.greatest},
+                    {"rounds", row.rounds},
+                    {"error", row.verdict.error}});
       if (row.ratio > 0) entry["ratio"] = row.ratio;
     } else {
-      entry["fault"] = row.fault;
+      entry["fault"] = row.verdict.fault;
     }
     document["results"].push_back(entry);
   }

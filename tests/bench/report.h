@@ -28,7 +28,7 @@ struct Row {
   std::size_t rounds = 0;
   double ratio =
       0;  // to the first implementation that is named `baseline`, median of the rounds' ratios; 0: none
-  std::string fault;
+  Verdict verdict;
 };
 
 // One row for each name and implementation, names in the order of `order`. A faulty measurement has no

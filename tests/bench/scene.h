@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "pixels.h"
+
 namespace bench {
 
 // A steady workload. Each visit gets a fresh context: begin(), frame(0), frame(1), ..., then check().
@@ -18,8 +20,8 @@ class Scene {
   virtual void begin() = 0;
   // Draws everything anew; the caller ends it with glFinish.
   virtual void frame(unsigned number) = 0;
-  // Compares what frame(number) left with what it should have; empty when right.
-  virtual std::string check(unsigned number) const = 0;
+  // Compares what frame(number) left with what it should have.
+  virtual Verdict check(unsigned number) const = 0;
 
  private:
   std::string name_;

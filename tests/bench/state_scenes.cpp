@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 
-#include "pixels.h"
 #include "scene.h"
 #include "session.h"
 
@@ -76,7 +75,7 @@ class ManyStates : public Scene {
     }
   }
 
-  std::string check(unsigned number) const override {
+  Verdict check(unsigned number) const override {
     Picture picture;
     for (unsigned quad = 0; quad < kDraws; ++quad) {
       Rgb wanted = variedColor((quad + number) % kTextures);
@@ -135,7 +134,7 @@ class Upload : public Scene {
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
 
-  std::string check(unsigned number) const override {
+  Verdict check(unsigned number) const override {
     Picture picture;
     for (const int at : {3, 200, 400, 508}) picture.expect(at, at, variedColor(number % kPictures));
     picture.expect(600, 600, {0, 0, 0});

@@ -3,9 +3,7 @@
 #include <GLES/gl.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
-#include <sstream>
 
 #include "scene.h"
 #include "session.h"
@@ -20,10 +18,6 @@ constexpr int kWarmUpFrames = 3;
 constexpr int kLeastFrames = 5;
 constexpr const char* kSteadyMemory = "memory.steady";
 
-double millisecondsSince(std::int64_t start) {
-  return double(now() - start) / 1e6;
-}
-
 // The high-water mark of resident memory, proc(5).
 double peakMebibytes() {
   std::ifstream status("/proc/self/status");
@@ -33,7 +27,7 @@ double peakMebibytes() {
 }
 
 // Fills `result` with the times of one visit, or with what was wrong with the picture.
-void visit(Scene& scene, EGLDisplay display, double milliseconds, Measurement& result) {
+void visit(const WorkerTask& task, Scene& scene, EGLDisplay display, Measurement& result) {
   const Session session(display);
   scene.begin();
   unsigned number = 0;
@@ -41,29 +35,29 @@ void visit(Scene& scene, EGLDisplay display, double milliseconds, Measurement& r
     scene.frame(number);
     glFinish();
   }
-  const std::int64_t visitStart = now();
-  for (int frames = 0; frames < kLeastFrames || millisecondsSince(visitStart) < milliseconds; ++frames) {
-    const std::int64_t start = now();
+  const Stopwatch whole(Clock::kWall);
+  for (int frames = 0; frames < kLeastFrames || whole.milliseconds() < task.visitMilliseconds; ++frames) {
+    const Stopwatch stopwatch(task.clock);
     scene.frame(++number);
     glFinish();
-    result.samples.push_back(millisecondsSince(start));
+    result.samples.push_back(stopwatch.milliseconds());
   }
-  result.fault = scene.check(number);
+  result.verdict = worst(result.verdict, scene.check(number));
 }
 
-Measurement measureMix(const StateMix& mix, const std::string& prefix) {
+Measurement measureMix(Clock clock, const StateMix& mix, const std::string& prefix) {
   resetMixState();
   glFinish();
-  const std::int64_t start = now();
+  const Stopwatch stopwatch(clock);
   mix.apply();
   drawMixQuad();
   glFinish();
-  Measurement result{prefix + mix.name, "ms", {millisecondsSince(start)}, ""};
+  Measurement result{prefix + mix.name, "ms", {stopwatch.milliseconds()}, {}};
   Picture picture;
   picture.expect(kWidth / 2 - 100, kHeight / 2 - 50, mix.wanted, 3);
   picture.expect(kWidth / 2 + 90, kHeight / 2 + 60, mix.wanted, 3);
   picture.expect(5, 5, {0, 0, 0});
-  result.fault = picture.verdict();
+  result.verdict = picture.verdict();
   return result;
 }
 
@@ -78,10 +72,6 @@ std::string memoryName(const std::string& temperature) {
 }
 
 }  // namespace
-
-std::int64_t now() {
-  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::vector<std::string> steadyNames() {
   std::vector<std::string> names;
@@ -100,9 +90,9 @@ std::vector<std::string> freshNames(const std::string& temperature) {
   return names;
 }
 
-WorkerReport measureSteady(const NameFilter& filter, double visitMilliseconds) {
+WorkerReport measureSteady(const WorkerTask& task) {
   Scenes scenes = allScenes();
-  std::erase_if(scenes, [&](const auto& scene) { return !filter.matches(scene->name()); });
+  std::erase_if(scenes, [&](const auto& scene) { return !task.filter.matches(scene->name()); });
 
   WorkerReport report;
   const EGLDisplay display = openDisplay();
@@ -110,44 +100,45 @@ WorkerReport measureSteady(const NameFilter& filter, double visitMilliseconds) {
     const Session session(display);
     report.implementation = implementationName(display);
   }
-  for (const auto& scene : scenes) report.measurements.push_back({scene->name(), "ms", {}, ""});
+  for (const auto& scene : scenes) report.measurements.push_back({scene->name(), "ms", {}, {}});
   for (int pass = 0; pass < kVisits; ++pass)
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      if (report.measurements[i].fault.empty())
-        visit(*scenes[i], display, visitMilliseconds, report.measurements[i]);
-  report.measurements.push_back({kSteadyMemory, "MiB", {peakMebibytes()}, ""});
+      if (report.measurements[i].verdict.fault.empty())
+        visit(task, *scenes[i], display, report.measurements[i]);
+  report.measurements.push_back({kSteadyMemory, "MiB", {peakMebibytes()}, {}});
   eglTerminate(display);
   return report;
 }
 
-WorkerReport measureFresh(const std::string& temperature, std::int64_t processStart) {
+WorkerReport measureFresh(const WorkerTask& task, const std::string& temperature) {
   WorkerReport report;
   auto& results = report.measurements;
   const std::string prefix = startPrefix(temperature);
 
-  std::int64_t start = now();
+  const Stopwatch sinceMain(task.clock);
   const EGLDisplay display = openDisplay();
   {
     const Session session(display);
-    results.push_back({prefix + "context", "ms", {millisecondsSince(start)}, ""});
+    results.push_back({prefix + "context", "ms", {sinceMain.milliseconds()}, {}});
     beginMixes();
     resetMixState();
-    start = now();
+    const Stopwatch sinceDraw(task.clock);
     drawMixQuad();
     glFinish();
-    results.push_back({prefix + "first_draw", "ms", {millisecondsSince(start)}, ""});
-    results.push_back({prefix + "process", "ms", {millisecondsSince(processStart)}, ""});
-    results.push_back({memoryName(temperature), "MiB", {peakMebibytes()}, ""});
+    results.push_back({prefix + "first_draw", "ms", {sinceDraw.milliseconds()}, {}});
+    results.push_back(
+        {prefix + "process", "ms", {Stopwatch(task.clock, task.processStart).milliseconds()}, {}});
+    results.push_back({memoryName(temperature), "MiB", {peakMebibytes()}, {}});
     Picture picture;
     picture.expect(kWidth / 2, kHeight / 2, {255, 255, 255});
-    results.back().fault = picture.verdict();
+    results.back().verdict = picture.verdict();
     report.implementation = implementationName(display);
 
-    Measurement all{mixPrefix(temperature) + "all", "ms", {0}, ""};
+    Measurement all{mixPrefix(temperature) + "all", "ms", {0}, {}};
     for (const StateMix& mix : stateMixes()) {
-      results.push_back(measureMix(mix, mixPrefix(temperature)));
+      results.push_back(measureMix(task.clock, mix, mixPrefix(temperature)));
       all.samples[0] += results.back().samples[0];
-      if (all.fault.empty()) all.fault = results.back().fault;
+      all.verdict = worst(all.verdict, results.back().verdict);
     }
     results.push_back(all);
   }
