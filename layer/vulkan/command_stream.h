@@ -1,0 +1,89 @@
+// A context's commands: one primary command buffer a submission, a few in flight. Knows which stores a recording uses
+// and when a barrier is due.
+#pragma once
+
+#include <volk.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "layer/vulkan/image.h"
+
+namespace anteroom::vulkan {
+
+struct BufferStore;
+class VulkanDevice;
+
+class CommandStream {
+ public:
+  explicit CommandStream(VulkanDevice& device) : device_(device) {}
+  ~CommandStream();
+  bool initialise();
+
+  // The command buffer, begun when necessary. Null: the device is lost or out of memory.
+  VkCommandBuffer commands() { return recording_ ? slots_[slot_].main : begin(); }
+  bool recording() const { return recording_; }
+  // Changes with each command buffer: what was bound in another one is no longer bound.
+  uint64_t recordingId() const { return recordingId_; }
+
+  void hold(const std::shared_ptr<BufferStore>& store);
+  // To be called before commands that read or write the image are recorded, and outside a pass where it says so.
+  void hold(const std::shared_ptr<ImageStore>& store);
+  void read(const std::shared_ptr<ImageStore>& store) {
+    hold(store);
+    store->readEpoch = epoch_;
+  }
+  void write(const std::shared_ptr<ImageStore>& store) {
+    hold(store);
+    store->writeEpoch = epoch_;
+    store->writtenIn = recordingId_;
+    store->written = true;
+  }
+  bool mustWaitToRead(const ImageStore& store) const { return recording_ && store.writeEpoch == epoch_; }
+  bool mustWaitToWrite(const ImageStore& store) const {
+    return recording_ && (store.writeEpoch == epoch_ || store.readEpoch == epoch_);
+  }
+  bool writes(const ImageStore& store) const { return recording_ && store.writtenIn == recordingId_; }
+
+  // What was recorded before is done, and visible, for what is recorded after. Not inside a pass.
+  void barrier();
+
+  // A set for the textures of a draw, without push descriptors. Lives as long as the recording.
+  VkDescriptorSet allocateTextureSet();
+
+  // Submits what was recorded and returns its number, or that of the last submission when there is nothing.
+  // 0: the device is lost or out of memory.
+  uint64_t submit();
+  uint64_t lastSubmitted() const { return lastSubmitted_; }
+  // Drops the references of submissions that are complete.
+  void retire();
+  bool lost() const { return lost_; }
+
+ private:
+  static constexpr int kSlots = 3;
+  struct Slot {
+    VkCommandPool pool = VK_NULL_HANDLE;
+    VkCommandBuffer fresh = VK_NULL_HANDLE, main = VK_NULL_HANDLE;
+    uint64_t serial = 0;
+    std::vector<std::shared_ptr<ImageStore>> images;
+    std::vector<std::shared_ptr<BufferStore>> buffers;
+    std::vector<VkDescriptorPool> descriptorPools;
+    size_t usedPools = 0;
+    uint32_t setsLeft = 0;
+  };
+
+  VkCommandBuffer begin();
+  void release(Slot& slot);
+
+  VulkanDevice& device_;
+  std::array<Slot, kSlots> slots_;
+  int slot_ = 0;
+  bool recording_ = false;
+  bool lost_ = false;
+  uint64_t recordingId_ = 0;
+  uint64_t epoch_ = 0;
+  uint64_t lastSubmitted_ = 0;
+};
+
+}  // namespace anteroom::vulkan

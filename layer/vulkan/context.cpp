@@ -1,0 +1,57 @@
+#include "layer/vulkan/context.h"
+
+#include "layer/vulkan/device.h"
+#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/shader_library.h"
+#include "layer/vulkan/timeline.h"
+
+namespace anteroom::vulkan {
+
+VulkanContext::VulkanContext(VulkanDevice& device)
+    : device_(device),
+      commands_(device),
+      pass_(device, commands_),
+      vertices_(device, Stream::Purpose::Vertices, 512 << 10),
+      indices_(device, Stream::Purpose::Vertices, 128 << 10),
+      constants_(device, Stream::Purpose::Constants, 128 << 10),
+      staging_(device, Stream::Purpose::Vertices, 1 << 20),
+      readBack_(device, Stream::Purpose::ReadBack, 1 << 20),
+      fetch_(device) {}
+
+VulkanContext::~VulkanContext() { finish(); }
+
+bool VulkanContext::submit() {
+  pass_.end();
+  drawsSinceSubmit_ = 0;
+  if (!commands_.recording()) return !commands_.lost();
+  const uint64_t serial = commands_.submit();
+  for (Stream* stream : {&vertices_, &indices_, &constants_, &staging_, &readBack_}) stream->submitted(serial);
+  if (serial) ++stats_.submits;
+  return serial != 0;
+}
+
+void VulkanContext::flush() { submit(); }
+
+void VulkanContext::finish() {
+  submit();
+  device_.timeline().wait(commands_.lastSubmitted(), UINT64_MAX);
+  commands_.retire();
+}
+
+uint64_t VulkanContext::insertFence() {
+  submit();
+  return commands_.lastSubmitted();
+}
+
+bool VulkanContext::waitFence(uint64_t fence, uint64_t timeout) { return device_.timeline().wait(fence, timeout); }
+
+const render::Stats& VulkanContext::stats() const {
+  stats_.renderPasses = pass_.passes();
+  stats_.pipelinesCreated = device_.pipelines().created();
+  stats_.shadersCompiled = device_.shaders().compiled();
+  stats_.vulkanObjectsCreated = device_.objects();
+  stats_.memoryAllocations = device_.memoryAllocations();
+  return stats_;
+}
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,160 @@
+// A context: its commands, what is bound, and the road of a draw.
+#pragma once
+
+#include <volk.h>
+
+#include "layer/render/renderer.h"
+#include "layer/vulkan/command_stream.h"
+#include "layer/vulkan/device.h"
+#include "layer/vulkan/draw_state.h"
+#include "layer/vulkan/index_fetch.h"
+#include "layer/vulkan/pass.h"
+#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/stream.h"
+#include "layer/vulkan/vertex_fetch.h"
+
+namespace anteroom::vulkan {
+
+class VulkanContext final : public render::Context {
+ public:
+  explicit VulkanContext(VulkanDevice& device);
+  ~VulkanContext() override;
+  bool initialise() { return commands_.initialise(); }
+
+  bool draw(render::State& state, const render::DrawCall& call) override;
+  bool clear(render::State& state, GLbitfield mask) override;
+  bool readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect, render::Format format,
+                  void* out, size_t rowPitch) override;
+  bool upload(render::Image& image, const render::Region& region, const void* data, size_t rowPitch,
+              size_t slicePitch) override;
+  bool copyFromFramebuffer(render::Image& image, const render::Region& region,
+                           const render::Framebuffer& source, int x, int y) override;
+  bool copyLevel(render::Image& image, int level, render::Image& source, int sourceLevel) override;
+  bool generateMipmaps(render::Image& image) override;
+  void flush() override;
+  void finish() override;
+  uint64_t insertFence() override;
+  bool waitFence(uint64_t fence, uint64_t timeout) override;
+  const render::Stats& stats() const override;
+
+ private:
+  // What the present recording has bound.
+  struct Bound {
+    uint64_t recording = 0;
+    VkPipeline pipeline = VK_NULL_HANDLE;
+    bool stateSent = false;
+    VertexLayout layout;
+    uint32_t arrays = 0;  // bindings that have a buffer
+    std::array<VkBuffer, gen::kAttributeCount> buffers{};
+    std::array<VkDeviceSize, gen::kAttributeCount> offsets{};
+    VkBuffer indexBuffer = VK_NULL_HANDLE;
+    VkDeviceSize indexOffset = 0;
+    VkIndexType indexType = VK_INDEX_TYPE_MAX_ENUM;
+    uint32_t pushed = 0;  // bytes of push constants that are valid
+    VkDescriptorSet constants = VK_NULL_HANDLE;
+    uint32_t constantOffsets[2] = {0, 0};
+    uint32_t textures = 0;  // units
+    std::array<VkImageView, gen::kMaxTextureUnits> views{};
+    std::array<VkSampler, gen::kMaxTextureUnits> samplers{};
+  };
+  // A block of constants: as it was packed last, and where the present recording has it.
+  struct Constants {
+    alignas(16) std::array<std::byte, kConstantRange> data;
+    uint32_t size = 0;
+    uint64_t recording = 0;
+    StreamPiece piece;
+  };
+  // A draw whose vertices are in place.
+  struct Geometry {
+    uint32_t count = 0;
+    uint32_t first = 0;
+    int32_t vertexOffset = 0;
+    bool indexed = false;
+    VkBuffer indexBuffer = VK_NULL_HANDLE;
+    VkDeviceSize indexOffset = 0;
+    VkIndexType indexType = VK_INDEX_TYPE_UINT16;
+  };
+
+  // draw.cpp
+  void take(render::State& state);
+  void takeTarget(const render::State& state);
+  bool takeKeys(const render::State& state);
+  void takeDrawState(const render::State& state);
+  bool packConstants(const render::State& state);
+  bool pack(Constants& constants, uint32_t size, bool packed);
+  bool fetchTextures(const render::State& state);
+  void startBound();
+  bool bindAll(VkCommandBuffer commands);
+  bool bindPipeline(VkCommandBuffer commands);
+  void bindVertices(VkCommandBuffer commands);
+  bool bindConstants(VkCommandBuffer commands);
+  bool bindTextures(VkCommandBuffer commands);
+  void record(VkCommandBuffer commands, const Geometry& geometry);
+  bool geometry(const render::DrawCall& call, Geometry& out);
+  bool arraysGeometry(const render::DrawCall& call, Expansion expansion, Geometry& out);
+  bool elementsGeometry(const render::DrawCall& call, Expansion expansion, Geometry& out);
+  bool writeIndices(const render::DrawCall& call, Expansion expansion, const std::byte* indices,
+                    uint32_t count, uint32_t base, Geometry& out);
+  Expansion expansionOf(GLenum mode) const;
+  void submitEarly();
+
+  // clear.cpp
+  bool remember(VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
+                const PendingClear& values);
+  bool clearInPass(VkImageAspectFlags aspects, const render::Rect& rect, const PendingClear& values);
+  bool drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color, bool withDepth);
+  bool clearMasked(const render::State& state, VkImageAspectFlags aspects, const render::Rect& rect);
+  bool materialise(VulkanImage& image);
+  bool opaqueAlpha(VulkanImage& image, int level, int layer);
+
+  // transfer.cpp
+  void uploadMapped(const VulkanImage& image, ImageStore& store, const render::Region& region,
+                    const std::byte* data, size_t rowPitch, size_t slicePitch);
+  bool uploadStaged(VulkanImage& image, const render::Region& region, const std::byte* data, size_t rowPitch,
+                    size_t slicePitch);
+  ImageStore* writableMapped(VulkanImage& image, bool whole);
+  ImageStore* readable(VulkanImage& image);
+  const std::shared_ptr<ImageStore>& heldReadable(VulkanImage& image);
+  bool waitFor(const ImageStore& store);
+  void leavePass(ImageStore& store, bool write);
+  bool copyOnDevice(VulkanImage& image, const render::Region& region, const render::Framebuffer& source, int x,
+                    int y);
+  bool copyThroughMemory(VulkanImage& image, const render::Region& region, const render::Framebuffer& source,
+                         int x, int y);
+  // mipmaps.cpp
+  bool blitMipmaps(VulkanImage& image);
+  bool submit();
+
+  VulkanDevice& device_;
+  CommandStream commands_;
+  PassEncoder pass_;
+  Stream vertices_, indices_, constants_, staging_, readBack_;
+  VertexFetch fetch_;
+  Bound bound_;
+
+  gen::Groups stale_ = gen::kAllGroups;  // what changed since it was last looked at here
+  const render::State* state_ = nullptr;
+  Target target_;
+  gen::FragmentKey fragmentKey_{};
+  gen::VertexKey vertexKey_{};
+  const Shader* vertexShader_ = nullptr;
+  const Shader* fragmentShader_ = nullptr;
+  gen::Blocks blocks_;
+  uint32_t units_ = 0;  // sampled
+  bool arraysStale_ = true, pushStale_ = true, vertexStale_ = true, fragmentStale_ = true;
+  GLenum mode_ = 0;
+
+  DrawState wanted_, sent_;
+  bool nothing_ = false;
+  PipelineKey pipelineKey_;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  alignas(16) std::array<std::byte, kPushRange> push_{};
+  Constants vertexConstants_, fragmentConstants_;
+  std::array<VkImageView, gen::kMaxTextureUnits> views_{};
+  std::array<VkSampler, gen::kMaxTextureUnits> samplers_{};
+  std::array<VulkanImage*, gen::kMaxTextureUnits> sampled_{};
+  uint32_t drawsSinceSubmit_ = 0;
+  mutable render::Stats stats_;
+};
+
+}  // namespace anteroom::vulkan

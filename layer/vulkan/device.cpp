@@ -1,0 +1,261 @@
+#include "layer/vulkan/device.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+
+#include "layer/vulkan/buffer.h"
+#include "layer/vulkan/context.h"
+#include "layer/vulkan/image.h"
+#include "layer/vulkan/pass.h"
+#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/sampler.h"
+#include "layer/vulkan/shader_library.h"
+#include "layer/vulkan/timeline.h"
+
+namespace anteroom::vulkan {
+namespace {
+
+constexpr uint32_t kSetsAPool = 64;
+
+// A CPU driver allocates and frees its scene blocks with malloc: glibc's defaults give the pages back to the kernel
+// and fault them in again at every frame.
+void keepPages() {
+#ifdef __GLIBC__
+  const char* setting = std::getenv("ANTEROOM_MALLOPT");
+  if (setting && !std::strcmp(setting, "off")) return;
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+#endif
+}
+
+// Builds the compiler's tables beside the program's own start. Joined before the process, or this library, ends.
+class WarmUp {
+ public:
+  WarmUp() : thread_([] { gen::warmCompiler(); }) {}
+  ~WarmUp() {
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  std::thread thread_;
+};
+
+}  // namespace
+
+std::unique_ptr<render::Device> createDevice(const DeviceOptions& options, std::string& error) {
+  return VulkanDevice::create(options, error);
+}
+
+std::unique_ptr<VulkanDevice> VulkanDevice::create(const DeviceOptions& options, std::string& error) {
+  std::unique_ptr<VulkanDevice> device(new VulkanDevice);
+  if (!device->initialise(options, error)) return nullptr;
+  return device;
+}
+
+bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) {
+  {
+    const DeviceLock lock;
+    if (!createInstance(options, instance_, error)) return false;
+    const VkResult result = createLogicalDevice(instance_, options.minimal, handle_, features_);
+    if (result != VK_SUCCESS) {
+      error = "vkCreateDevice failed with " + std::to_string(result) + ": check the Vulkan driver";
+      return false;
+    }
+    volkLoadDeviceTable(&fn_, handle_);
+  }
+  fn_.vkGetDeviceQueue(handle_, instance_.queueFamily, 0, &queue_);
+  VkPhysicalDeviceProperties properties;
+  vkGetPhysicalDeviceProperties(instance_.physical, &properties);
+  limits_ = properties.limits;
+  formats_ = chooseFormats(instance_.physical, features_);
+  fillCaps(properties);
+  if (caps_.isCpu) keepPages();
+
+  memory_ = std::make_unique<MemoryPool>(*this);
+  timeline_ = std::make_unique<Timeline>(*this);
+  samplers_ = std::make_unique<SamplerCache>(*this);
+  shaders_ = std::make_unique<ShaderLibrary>(*this);
+  legacyPasses_ = std::make_unique<LegacyPasses>(*this);
+  pipelines_ = std::make_unique<PipelineCache>(*this);
+  if (timeline_->initialise() && createLayouts()) return true;
+  error = "the Vulkan device is out of memory";
+  return false;
+}
+
+VulkanDevice::~VulkanDevice() {
+  if (handle_) {
+    fn_.vkDeviceWaitIdle(handle_);
+    pipelines_.reset();
+    legacyPasses_.reset();
+    shaders_.reset();
+    samplers_.reset();
+    timeline_.reset();
+    memory_.reset();
+    for (VkDescriptorPool pool : constantPools_) fn_.vkDestroyDescriptorPool(handle_, pool, nullptr);
+    fn_.vkDestroyPipelineLayout(handle_, pipelineLayout_, nullptr);
+    for (VkDescriptorSetLayout layout : setLayouts_) fn_.vkDestroyDescriptorSetLayout(handle_, layout, nullptr);
+    fn_.vkDestroyDevice(handle_, nullptr);
+  }
+  const DeviceLock lock;
+  destroyInstance(instance_);
+}
+
+int VulkanDevice::commonSamples() const {
+  const VkSampleCountFlags counts = limits_.framebufferColorSampleCounts &
+                                    limits_.framebufferDepthSampleCounts &
+                                    limits_.framebufferStencilSampleCounts;
+  for (int samples : {8, 4, 2})
+    if (counts & static_cast<VkSampleCountFlags>(samples)) return samples;
+  return 1;
+}
+
+void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
+  caps_.deviceName = properties.deviceName;
+  caps_.isCpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  caps_.driverName = "Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
+                     std::to_string(VK_API_VERSION_MINOR(properties.apiVersion)) + "." +
+                     std::to_string(VK_API_VERSION_PATCH(properties.apiVersion));
+  caps_.profile.clipDistance = features_.clipDistance && limits_.maxClipDistances >= gen::kMaxClipPlanes;
+  caps_.profile.largePoints = features_.largePoints;
+  caps_.maxTextureSize = static_cast<int>(std::min(limits_.maxImageDimension2D, 16384u));
+  caps_.maxCubeMapSize = static_cast<int>(std::min(limits_.maxImageDimensionCube, 16384u));
+  caps_.maxVolumeSize = static_cast<int>(std::min(limits_.maxImageDimension3D, 2048u));
+  for (int i = 0; i < 2; ++i) {
+    const uint32_t framebuffer = i == 0 ? limits_.maxFramebufferWidth : limits_.maxFramebufferHeight;
+    caps_.maxViewport[i] = static_cast<int>(std::min(limits_.maxViewportDimensions[i], framebuffer));
+    if (features_.largePoints) caps_.pointSizeRange[i] = std::max(1.0f, limits_.pointSizeRange[i]);
+    if (features_.wideLines) caps_.lineWidthRange[i] = std::max(1.0f, limits_.lineWidthRange[i]);
+    caps_.smoothPointSizeRange[i] = caps_.pointSizeRange[i];
+    if (features_.smoothLines) caps_.smoothLineWidthRange[i] = caps_.lineWidthRange[i];
+  }
+  caps_.subpixelBits = static_cast<int>(limits_.subPixelPrecisionBits);
+  caps_.maxAnisotropy = features_.anisotropy ? limits_.maxSamplerAnisotropy : 1;
+  for (size_t i = 0; i < formats_.size(); ++i) caps_.renderable[i] = formats_[i].renderable;
+  caps_.maxSamples = commonSamples();
+}
+
+bool VulkanDevice::createLayouts() {
+  VkDescriptorSetLayoutBinding constants[2]{};
+  for (uint32_t i = 0; i < 2; ++i) {
+    constants[i].binding = i;
+    constants[i].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+    constants[i].descriptorCount = 1;
+    constants[i].stageFlags = i == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
+  }
+  VkDescriptorSetLayoutBinding textures[gen::kMaxTextureUnits]{};
+  for (uint32_t i = 0; i < gen::kMaxTextureUnits; ++i) {
+    textures[i].binding = i;
+    textures[i].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    textures[i].descriptorCount = 1;
+    textures[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT;
+  }
+  VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  info.bindingCount = 2;
+  info.pBindings = constants;
+  if (fn_.vkCreateDescriptorSetLayout(handle_, &info, nullptr, &setLayouts_[0]) != VK_SUCCESS) return false;
+  info.bindingCount = gen::kMaxTextureUnits;
+  info.pBindings = textures;
+  if (features_.pushDescriptors) info.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+  if (fn_.vkCreateDescriptorSetLayout(handle_, &info, nullptr, &setLayouts_[1]) != VK_SUCCESS) return false;
+
+  const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, kPushRange};
+  VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
+  layout.setLayoutCount = 2;
+  layout.pSetLayouts = setLayouts_;
+  layout.pushConstantRangeCount = 1;
+  layout.pPushConstantRanges = &push;
+  for (int i = 0; i < 3; ++i) countObject();
+  return fn_.vkCreatePipelineLayout(handle_, &layout, nullptr, &pipelineLayout_) == VK_SUCCESS;
+}
+
+VkDescriptorSet VulkanDevice::allocateConstantSet(VkBuffer buffer) {
+  const std::lock_guard lock(mutex_);
+  if (freeConstantSets_.empty()) {
+    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, 2 * kSetsAPool};
+    VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    pool.maxSets = kSetsAPool;
+    pool.poolSizeCount = 1;
+    pool.pPoolSizes = &size;
+    VkDescriptorPool made;
+    if (fn_.vkCreateDescriptorPool(handle_, &pool, nullptr, &made) != VK_SUCCESS) return VK_NULL_HANDLE;
+    countObject();
+    constantPools_.push_back(made);
+    const std::vector<VkDescriptorSetLayout> layouts(kSetsAPool, setLayouts_[0]);
+    freeConstantSets_.resize(kSetsAPool);
+    VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    info.descriptorPool = made;
+    info.descriptorSetCount = kSetsAPool;
+    info.pSetLayouts = layouts.data();
+    if (fn_.vkAllocateDescriptorSets(handle_, &info, freeConstantSets_.data()) != VK_SUCCESS) {
+      freeConstantSets_.clear();
+      return VK_NULL_HANDLE;
+    }
+  }
+  const VkDescriptorSet set = freeConstantSets_.back();
+  freeConstantSets_.pop_back();
+  const VkDescriptorBufferInfo shown{buffer, 0, kConstantRange};
+  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+  write.dstSet = set;
+  write.descriptorCount = 1;
+  write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+  write.pBufferInfo = &shown;
+  VkWriteDescriptorSet writes[2] = {write, write};
+  writes[1].dstBinding = 1;
+  fn_.vkUpdateDescriptorSets(handle_, 2, writes, 0, nullptr);
+  return set;
+}
+
+void VulkanDevice::freeConstantSet(VkDescriptorSet set) {
+  const std::lock_guard lock(mutex_);
+  freeConstantSets_.push_back(set);
+}
+
+bool VulkanDevice::vertexFormat(VkFormat format) const {
+  VkFormatProperties properties;
+  vkGetPhysicalDeviceFormatProperties(instance_.physical, format, &properties);
+  return properties.bufferFeatures & VK_FORMAT_FEATURE_VERTEX_BUFFER_BIT;
+}
+
+void VulkanDevice::addFreshImage(const FreshImage& image) {
+  const std::lock_guard lock(mutex_);
+  freshImages_.push_back(image);
+}
+
+void VulkanDevice::removeFreshImage(VkImage image) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(freshImages_, [&](const FreshImage& fresh) { return fresh.image == image; });
+}
+
+void VulkanDevice::takeFreshImages(std::vector<FreshImage>& images) {
+  const std::lock_guard lock(mutex_);
+  images.swap(freshImages_);
+}
+
+std::shared_ptr<render::Image> VulkanDevice::createImage(const render::ImageDesc& desc) {
+  const StoreFormat& store = format(desc.format);
+  const int limit = desc.dimension == render::Dimension::Cube     ? caps_.maxCubeMapSize
+                    : desc.dimension == render::Dimension::Volume ? caps_.maxVolumeSize
+                                                                  : caps_.maxTextureSize;
+  if (store.format == VK_FORMAT_UNDEFINED || desc.width < 1 || desc.height < 1 || desc.depth < 1 ||
+      desc.width > limit || desc.height > limit || desc.depth > limit || desc.levels < 1 ||
+      desc.samples > caps_.maxSamples)
+    return nullptr;
+  return std::make_shared<VulkanImage>(*this, desc);
+}
+
+std::shared_ptr<render::Buffer> VulkanDevice::createBuffer(size_t size, const void* data) {
+  return VulkanBuffer::create(*this, size, data);
+}
+
+std::unique_ptr<render::Context> VulkanDevice::createContext() {
+  static const WarmUp warmUp;
+  auto context = std::make_unique<VulkanContext>(*this);
+  if (!context->initialise()) return nullptr;
+  return context;
+}
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,122 @@
+// The Vulkan device and what its contexts share: memory, the queue, formats, samplers, shaders and pipelines.
+#pragma once
+
+#include <volk.h>
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "layer/vulkan/features.h"
+#include "layer/vulkan/formats.h"
+#include "layer/vulkan/instance.h"
+#include "layer/vulkan/memory.h"
+#include "layer/vulkan/vulkan_device.h"
+
+namespace anteroom::vulkan {
+
+struct ImageStore;
+class LegacyPasses;
+class PipelineCache;
+class SamplerCache;
+class ShaderLibrary;
+class Timeline;
+
+// The largest constants of a stage: what a descriptor of the constants covers.
+inline constexpr uint32_t kConstantRange = 16 << 10;
+// Push constants that every device has.
+inline constexpr uint32_t kPushRange = 128;
+
+// An image that no submission has touched yet.
+struct FreshImage {
+  VkImage image;
+  VkImageAspectFlags aspects;
+  VkImageLayout layout;
+  bool clear;  // its contents are unknown, and must become something
+};
+
+class VulkanDevice : public render::Device {
+ public:
+  // Null: `error` says why.
+  static std::unique_ptr<VulkanDevice> create(const DeviceOptions& options, std::string& error);
+  ~VulkanDevice() override;
+
+  const render::Caps& caps() const override { return caps_; }
+  std::shared_ptr<render::Image> createImage(const render::ImageDesc& desc) override;
+  std::shared_ptr<render::Buffer> createBuffer(size_t size, const void* data) override;
+  std::unique_ptr<render::Context> createContext() override;
+
+  VkDevice handle() const { return handle_; }
+  VkPhysicalDevice physical() const { return instance_.physical; }
+  uint32_t queueFamily() const { return instance_.queueFamily; }
+  VkQueue queue() const { return queue_; }
+  const VolkDeviceTable& fn() const { return fn_; }
+  const Features& features() const { return features_; }
+  const VkPhysicalDeviceLimits& limits() const { return limits_; }
+  const StoreFormat& format(render::Format format) const { return formats_[static_cast<int>(format)]; }
+  // Whether a vertex attribute may have this format.
+  bool vertexFormat(VkFormat format) const;
+
+  MemoryPool& memory() { return *memory_; }
+  Timeline& timeline() { return *timeline_; }
+  SamplerCache& samplers() { return *samplers_; }
+  ShaderLibrary& shaders() { return *shaders_; }
+  PipelineCache& pipelines() { return *pipelines_; }
+  LegacyPasses& legacyPasses() { return *legacyPasses_; }
+
+  // Set 0: vertex and fragment constants (dynamic offsets). Set 1: a texture a unit. One layout for all pipelines, so
+  // that nothing that is bound is disturbed by another pipeline.
+  VkPipelineLayout pipelineLayout() const { return pipelineLayout_; }
+  VkDescriptorSetLayout textureSetLayout() const { return setLayouts_[1]; }
+  // A set 0 that shows `buffer`. Null: out of memory. Give it back with freeConstantSet.
+  VkDescriptorSet allocateConstantSet(VkBuffer buffer);
+  void freeConstantSet(VkDescriptorSet set);
+
+  // New images leave their first layout at the head of the next submission, whoever makes it.
+  void addFreshImage(const FreshImage& image);
+  void removeFreshImage(VkImage image);
+  void takeFreshImages(std::vector<FreshImage>& images);
+
+  void countObject() { objects_.fetch_add(1, std::memory_order_relaxed); }
+  void countMemory() {
+    countObject();
+    memoryAllocations_.fetch_add(1, std::memory_order_relaxed);
+  }
+  uint64_t objects() const { return objects_.load(std::memory_order_relaxed); }
+  uint64_t memoryAllocations() const { return memoryAllocations_.load(std::memory_order_relaxed); }
+
+ private:
+  VulkanDevice() = default;
+  bool initialise(const DeviceOptions& options, std::string& error);
+  bool createLayouts();
+  void fillCaps(const VkPhysicalDeviceProperties& properties);
+  int commonSamples() const;
+
+  Instance instance_;
+  VkDevice handle_ = VK_NULL_HANDLE;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  VolkDeviceTable fn_{};
+  Features features_;
+  VkPhysicalDeviceLimits limits_{};
+  render::Caps caps_;
+  StoreFormats formats_;
+  std::atomic<uint64_t> objects_{0}, memoryAllocations_{0};
+
+  VkDescriptorSetLayout setLayouts_[2]{};
+  VkPipelineLayout pipelineLayout_ = VK_NULL_HANDLE;
+
+  std::mutex mutex_;  // guards what follows
+  std::vector<VkDescriptorPool> constantPools_;
+  std::vector<VkDescriptorSet> freeConstantSets_;
+  std::vector<FreshImage> freshImages_;
+
+  std::unique_ptr<MemoryPool> memory_;
+  std::unique_ptr<Timeline> timeline_;
+  std::unique_ptr<SamplerCache> samplers_;
+  std::unique_ptr<ShaderLibrary> shaders_;
+  std::unique_ptr<LegacyPasses> legacyPasses_;
+  std::unique_ptr<PipelineCache> pipelines_;
+};
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,111 @@
+// Images: what the GL sees, and the stores behind it.
+#pragma once
+
+#include <volk.h>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include "layer/render/renderer.h"
+#include "layer/vulkan/formats.h"
+#include "layer/vulkan/memory.h"
+
+namespace anteroom::vulkan {
+
+class VulkanDevice;
+
+// One VkImage, always in layout GENERAL for the contexts. Recordings that use it hold a reference until they are
+// complete: it is idle when its image alone holds it.
+struct ImageStore {
+  explicit ImageStore(VulkanDevice& owner) : device(owner) {}
+  ~ImageStore();
+  ImageStore(const ImageStore&) = delete;
+  ImageStore& operator=(const ImageStore&) = delete;
+
+  struct Plane {  // one level of one layer of a LINEAR image
+    VkDeviceSize offset, rowPitch, slicePitch;
+  };
+  struct AttachmentView {
+    int level, layer;
+    VkImageView view;
+  };
+  // Without dynamic rendering: this image as color (or as depth, where there is no color) with another one.
+  struct LegacyFramebuffer {
+    VkRenderPass renderPass;
+    VkImageView color, depth;
+    VkFramebuffer framebuffer;
+  };
+
+  const Plane& plane(int level, int layer) const { return planes[level * layers + layer]; }
+  // Null: out of memory.
+  VkImageView attachmentView(int level, int layer);
+
+  VulkanDevice& device;
+  VkImage image = VK_NULL_HANDLE;
+  VkImageView view = VK_NULL_HANDLE;  // for sampling; null for what is never sampled
+  Allocation memory;
+  VkFormat format = VK_FORMAT_UNDEFINED;
+  VkImageAspectFlags aspects = 0;
+  VkImageType type = VK_IMAGE_TYPE_2D;
+  int layers = 1;
+  uint64_t id = 0;                  // never used twice in a process
+  std::byte* mapped = nullptr;      // LINEAR: the image's memory
+  std::vector<Plane> planes;        // LINEAR only
+  std::vector<AttachmentView> attachmentViews;
+  std::vector<LegacyFramebuffer> legacyFramebuffers;
+
+  uint64_t recording = 0;   // the last recording that holds it
+  uint64_t readEpoch = 0;   // when it was last read and written by recorded commands
+  uint64_t writeEpoch = 0;
+  uint64_t writtenIn = 0;   // the last recording that writes to it
+  bool written = false;     // by the device, since it was last known idle
+  std::atomic<uint64_t> lastUse{0};  // the last submission that uses it
+};
+
+// A glClear that nobody has seen yet.
+struct PendingClear {
+  VkImageAspectFlags aspects = 0;
+  int level = 0, layer = 0;
+  VkClearColorValue color{};
+  VkClearDepthStencilValue depthStencil{};
+};
+
+class VulkanImage final : public render::Image {
+ public:
+  VulkanImage(VulkanDevice& device, const render::ImageDesc& desc);
+
+  // The store, made at the first call. Null: out of memory. `overwritten`: all of it is about to be.
+  ImageStore* store(bool overwritten = false);
+  bool hasStore() const { return store_ != nullptr; }
+  const std::shared_ptr<ImageStore>& held() const { return store_; }
+  // Puts an idle store in the place of the present one and returns the former. Null: out of memory.
+  std::shared_ptr<ImageStore> replaceStore();
+  // A store with one sample a pixel, for the contents of a multisampled image. Null: out of memory.
+  ImageStore* resolved();
+  const std::shared_ptr<ImageStore>& heldResolved() const { return resolved_; }
+
+  const StoreFormat& format() const { return format_; }
+  int levelWidth(int level) const { return std::max(1, desc_.width >> level); }
+  int levelHeight(int level) const { return std::max(1, desc_.height >> level); }
+  int levelDepth(int level) const { return std::max(1, desc_.depth >> level); }
+  // Bytes of all levels in the store.
+  size_t bytes() const;
+
+  PendingClear pending;
+  bool resolveStale = true;
+  bool alphaStale = false;  // an opaque format whose stored alpha is not 1
+
+ private:
+  std::shared_ptr<ImageStore> createStore(int samples, bool overwritten) const;
+
+  VulkanDevice& device_;
+  const StoreFormat& format_;
+  std::shared_ptr<ImageStore> store_, resolved_;
+  std::vector<std::shared_ptr<ImageStore>> spares_;  // former stores, to be used again when idle
+};
+
+inline VulkanImage& vulkan(render::Image& image) { return static_cast<VulkanImage&>(image); }
+
+}  // namespace anteroom::vulkan

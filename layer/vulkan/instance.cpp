@@ -1,0 +1,149 @@
+#include "layer/vulkan/instance.h"
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <vector>
+
+namespace anteroom::vulkan {
+namespace {
+
+std::mutex deviceMutex;
+std::atomic<unsigned> messageCount{0};
+
+VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                         VkDebugUtilsMessageTypeFlagsEXT,
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+  messageCount.fetch_add(1, std::memory_order_relaxed);
+  std::fprintf(stderr, "anteroom: validation: %s\n", data->pMessage);
+  const char* mode = std::getenv("ANTEROOM_VALIDATION");
+  if (mode && !std::strcmp(mode, "fatal")) std::abort();
+  return VK_FALSE;
+}
+
+bool hasLayer(const char* name) {
+  uint32_t count = 0;
+  vkEnumerateInstanceLayerProperties(&count, nullptr);
+  std::vector<VkLayerProperties> layers(count);
+  vkEnumerateInstanceLayerProperties(&count, layers.data());
+  for (const auto& layer : layers)
+    if (!std::strcmp(layer.layerName, name)) return true;
+  return false;
+}
+
+int preference(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
+    default: return 0;
+  }
+}
+
+bool graphicsFamily(VkPhysicalDevice physical, uint32_t& family) {
+  uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families.data());
+  for (family = 0; family < count; ++family)
+    if (families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT) return true;
+  return false;
+}
+
+bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std::string& error) {
+  uint32_t count = 0;
+  vkEnumeratePhysicalDevices(instance.handle, &count, nullptr);
+  std::vector<VkPhysicalDevice> devices(count);
+  vkEnumeratePhysicalDevices(instance.handle, &count, devices.data());
+  const bool byIndex =
+      !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
+  int best = -1;
+  std::string names;
+  for (uint32_t i = 0; i < count; ++i) {
+    VkPhysicalDeviceProperties properties;
+    vkGetPhysicalDeviceProperties(devices[i], &properties);
+    names += (names.empty() ? "" : ", ") + std::string(properties.deviceName);
+    uint32_t family;
+    if (properties.apiVersion < VK_API_VERSION_1_1 || !graphicsFamily(devices[i], family)) continue;
+    if (byIndex ? preferred != std::to_string(i)
+                : !std::strstr(properties.deviceName, preferred.c_str()))
+      continue;
+    if (preference(properties.deviceType) <= best) continue;
+    best = preference(properties.deviceType);
+    instance.physical = devices[i];
+    instance.queueFamily = family;
+  }
+  if (best >= 0) return true;
+  if (count == 0)
+    error = "no Vulkan device: install a Vulkan driver, such as Mesa's lavapipe (mesa-vulkan-drivers)";
+  else
+    error = "no Vulkan 1.1 device with graphics" +
+            (preferred.empty() ? std::string() : " matches ANTEROOM_DEVICE=" + preferred) +
+            "; there are: " + names;
+  return false;
+}
+
+void createMessenger(Instance& instance) {
+  VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
+  info.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  info.messageType =
+      VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT;
+  info.pfnUserCallback = onMessage;
+  vkCreateDebugUtilsMessengerEXT(instance.handle, &info, nullptr, &instance.messenger);
+}
+
+}  // namespace
+
+DeviceLock::DeviceLock() { deviceMutex.lock(); }
+DeviceLock::~DeviceLock() { deviceMutex.unlock(); }
+
+unsigned validationMessages() { return messageCount.load(std::memory_order_relaxed); }
+
+bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error) {
+  if (volkInitialize() != VK_SUCCESS) {
+    error = "no Vulkan loader: install libvulkan1";
+    return false;
+  }
+  if (volkGetInstanceVersion() < VK_API_VERSION_1_1) {
+    error = "the Vulkan loader knows only Vulkan 1.0: install a newer libvulkan1";
+    return false;
+  }
+  VkApplicationInfo application{VK_STRUCTURE_TYPE_APPLICATION_INFO};
+  application.pEngineName = "Anteroom";
+  application.apiVersion = VK_API_VERSION_1_1;
+  VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+  info.pApplicationInfo = &application;
+  const char* layer = "VK_LAYER_KHRONOS_validation";
+  const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
+  const bool validation = options.validation && hasLayer(layer);
+  if (options.validation && !validation)
+    std::fprintf(stderr, "anteroom: no validation layer: install vulkan-validationlayers\n");
+  if (validation) {
+    info.enabledLayerCount = info.enabledExtensionCount = 1;
+    info.ppEnabledLayerNames = &layer;
+    info.ppEnabledExtensionNames = &extension;
+  }
+  if (VkResult result = vkCreateInstance(&info, nullptr, &instance.handle); result != VK_SUCCESS) {
+    error = "vkCreateInstance failed with " + std::to_string(result) + ": check the Vulkan driver";
+    return false;
+  }
+  volkLoadInstanceOnly(instance.handle);
+  if (validation) createMessenger(instance);
+  if (choosePhysicalDevice(options.preferred, instance, error)) return true;
+  destroyInstance(instance);
+  return false;
+}
+
+void destroyInstance(Instance& instance) {
+  if (!instance.handle) return;
+  volkLoadInstanceOnly(instance.handle);
+  if (instance.messenger) vkDestroyDebugUtilsMessengerEXT(instance.handle, instance.messenger, nullptr);
+  vkDestroyInstance(instance.handle, nullptr);
+  instance = {};
+}
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,33 @@
+// The Vulkan loader, an instance, and the choice among physical devices.
+#pragma once
+
+#include <volk.h>
+
+#include <string>
+
+#include "layer/vulkan/vulkan_device.h"
+
+namespace anteroom::vulkan {
+
+struct Instance {
+  VkInstance handle = VK_NULL_HANDLE;
+  VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+  VkPhysicalDevice physical = VK_NULL_HANDLE;
+  uint32_t queueFamily = 0;  // graphics
+};
+
+// Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False: `error`
+// says why and what to do. Instance functions are shared by the whole process: hold a DeviceLock.
+bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error);
+void destroyInstance(Instance& instance);
+
+// Held while a device is made or destroyed: volk's instance functions are global.
+class DeviceLock {
+ public:
+  DeviceLock();
+  ~DeviceLock();
+  DeviceLock(const DeviceLock&) = delete;
+  DeviceLock& operator=(const DeviceLock&) = delete;
+};
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,78 @@
+#include "layer/vulkan/sampler.h"
+
+#include <algorithm>
+
+#include "layer/vulkan/device.h"
+
+namespace anteroom::vulkan {
+namespace {
+
+constexpr GLenum kMirrorClampToEdge = 0x8743;  // GL_MIRROR_CLAMP_TO_EDGE_EXT
+
+}  // namespace
+
+SamplerCache::~SamplerCache() {
+  for (const Entry& entry : entries_) device_.fn().vkDestroySampler(device_.handle(), entry.sampler, nullptr);
+}
+
+VkSamplerAddressMode SamplerCache::wrap(GLenum mode) const {
+  switch (mode) {
+    case GL_CLAMP_TO_EDGE: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case GL_MIRRORED_REPEAT_OES: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case kMirrorClampToEdge:
+      return device_.features().mirrorClampToEdge ? VK_SAMPLER_ADDRESS_MODE_MIRROR_CLAMP_TO_EDGE
+                                                  : VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    default: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+  }
+}
+
+SamplerCache::Key SamplerCache::canonical(const render::Sampler& s, int levels) const {
+  Key key;
+  key.minLinear = s.minFilter == GL_LINEAR || s.minFilter == GL_LINEAR_MIPMAP_NEAREST ||
+                  s.minFilter == GL_LINEAR_MIPMAP_LINEAR;
+  key.magLinear = s.magFilter == GL_LINEAR;
+  key.maxLevel = static_cast<uint16_t>(std::clamp(std::min(s.maxLevel, levels - 1), 0, 1000));
+  key.mips = s.minFilter != GL_NEAREST && s.minFilter != GL_LINEAR && key.maxLevel > 0;
+  if (!key.mips) key.maxLevel = 0;
+  key.mipLinear = key.mips && (s.minFilter == GL_NEAREST_MIPMAP_LINEAR || s.minFilter == GL_LINEAR_MIPMAP_LINEAR);
+  key.wrap[0] = static_cast<uint8_t>(wrap(s.wrapS));
+  key.wrap[1] = static_cast<uint8_t>(wrap(s.wrapT));
+  key.wrap[2] = static_cast<uint8_t>(wrap(s.wrapR));
+  // Anisotropy is a way of linear filtering: with nearest texels it stays off.
+  if (device_.features().anisotropy && key.minLinear && key.magLinear)
+    key.anisotropy = static_cast<uint8_t>(
+        std::clamp(s.maxAnisotropy, 1.0f, std::min(16.0f, device_.limits().maxSamplerAnisotropy)));
+  return key;
+}
+
+VkSampler SamplerCache::create(const Key& key) {
+  VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  info.minFilter = key.minLinear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+  info.magFilter = key.magLinear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+  info.mipmapMode = key.mipLinear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
+  info.addressModeU = static_cast<VkSamplerAddressMode>(key.wrap[0]);
+  info.addressModeV = static_cast<VkSamplerAddressMode>(key.wrap[1]);
+  info.addressModeW = static_cast<VkSamplerAddressMode>(key.wrap[2]);
+  info.anisotropyEnable = key.anisotropy > 1;
+  info.maxAnisotropy = key.anisotropy;
+  // Without mip levels a little room above 0 still tells minification from magnification.
+  info.maxLod = key.mips ? key.maxLevel : 0.25f;
+  if (!key.mips && key.minLinear == key.magLinear) info.maxLod = 0;
+  VkSampler sampler = VK_NULL_HANDLE;
+  if (device_.fn().vkCreateSampler(device_.handle(), &info, nullptr, &sampler) != VK_SUCCESS)
+    return VK_NULL_HANDLE;
+  device_.countObject();
+  return sampler;
+}
+
+VkSampler SamplerCache::get(const render::Sampler& sampler, int levels) {
+  const Key key = canonical(sampler, levels);
+  const std::lock_guard lock(mutex_);
+  for (const Entry& entry : entries_)
+    if (entry.key == key) return entry.sampler;
+  const VkSampler made = create(key);
+  if (made) entries_.push_back({key, made});
+  return made;
+}
+
+}  // namespace anteroom::vulkan

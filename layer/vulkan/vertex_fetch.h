@@ -1,0 +1,84 @@
+// Vertex arrays: buffer objects are bound in place where the device can read them so; all else is gathered, once, into
+// a stream, interleaved and only the range that is used.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "layer/render/renderer.h"
+#include "layer/vulkan/buffer.h"
+#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/stream.h"
+
+namespace anteroom::vulkan {
+
+class CommandStream;
+class VulkanDevice;
+
+class VertexFetch {
+ public:
+  explicit VertexFetch(VulkanDevice& device) : device_(device) {}
+
+  // Takes over the arrays that the vertex shader reads. To be called when they or the key changed.
+  void configure(const render::State& state, const gen::VertexKey& key);
+
+  bool gathers() const { return gathered_ != 0; }
+  // Whether vertices below `end` lie inside all buffers.
+  bool inside(uint64_t end) const;
+
+  // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
+  bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
+  // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies outside
+  // a buffer is zero.
+  bool fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, Stream& stream,
+                 CommandStream& commands);
+
+  // Of the last fetch.
+  const VertexLayout& layout() const { return layout_; }
+  const std::array<VkBuffer, gen::kAttributeCount>& buffers() const { return buffers_; }
+  const std::array<VkDeviceSize, gen::kAttributeCount>& offsets() const { return offsets_; }
+  // What is added to a vertex's number in GL (fetchRange) or in the list (fetchList) to find it.
+  int32_t vertexOffset() const { return vertexOffset_; }
+
+ private:
+  struct Source {
+    gen::Attribute attribute;
+    VkFormat format;
+    uint32_t bytes;       // of an element in memory
+    uint32_t component;   // bytes of a component
+    uint32_t stride;
+    VulkanBuffer* buffer;  // null: client memory
+    const std::byte* pointer;  // client memory
+    size_t offset;             // in the buffer
+    uint64_t limit;            // elements that lie inside the buffer
+    bool gather;
+  };
+  // Gathered vertices, one after another as long as nothing comes between them.
+  struct Arena {
+    StreamPiece piece;
+    VkDeviceSize used = 0;
+    uint32_t stride = 0;
+    uint64_t recording = 0;
+  };
+
+  Source source(const render::State& state, const gen::VertexKey& key, gen::Attribute attribute) const;
+  VkFormat supported(VkFormat three, VkFormat four) const;
+  std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream, const CommandStream& commands,
+                     uint32_t& base);
+  uint32_t placeGathered(uint32_t mask);
+  void bindArena(uint32_t mask, uint32_t stride);
+
+  VulkanDevice& device_;
+  std::array<Source, gen::kAttributeCount> sources_{};
+  uint32_t count_ = 0;
+  uint32_t gathered_ = 0;  // bit i: source i is always gathered
+  std::array<uint32_t, gen::kAttributeCount> place_{};  // in a gathered vertex
+  Arena arena_;
+  VertexLayout layout_;
+  std::array<VkBuffer, gen::kAttributeCount> buffers_{};
+  std::array<VkDeviceSize, gen::kAttributeCount> offsets_{};
+  int32_t vertexOffset_ = 0;
+  mutable std::array<int8_t, 256> formatSupport_{};  // by VkFormat: 0 unknown, 1 yes, -1 no
+};
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,3 @@
+// The dispatch tables: volk's one translation unit.
+#define VOLK_IMPLEMENTATION
+#include <volk.h>

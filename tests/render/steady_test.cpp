@@ -1,0 +1,67 @@
+// A frame that is drawn again costs no heap allocation and no Vulkan object.
+#include <cstdlib>
+#include <new>
+
+#include "layer/vulkan/vulkan_device.h"
+#include "tests/render/scene.h"
+
+namespace {
+thread_local uint64_t allocations = 0;
+}
+
+void* operator new(size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+
+namespace anteroom::test {
+namespace {
+
+class Steady : public testing::TestWithParam<bool> {};
+
+TEST_P(Steady, FramesAllocateNothing) {
+  Scene scene(GetParam(), 64, 64);
+  const float triangle[] = {-0.1f, -0.1f, 0, 0.1f, -0.1f, 0, 0, 0.1f, 0};
+  const auto buffer = scene.device.createBuffer(sizeof triangle, triangle);
+  const uint16_t indices[] = {0, 1, 2};
+  scene.state.ops.depthTest = true;
+  const auto frame = [&] {
+    scene.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    for (int i = 0; i < 200; ++i) {
+      scene.color(static_cast<float>(i) / 200, 0, 1);
+      scene.state.fixed.modelview[3] = {i % 20 / 10.0 - 1, i / 20 / 5.0 - 1, 0, 1};
+      scene.state.dirty |= gen::kGroupModelview;
+      scene.array(gen::kPosition, triangle, 3);
+      if (i % 2) scene.state.arrays[gen::kPosition] = {buffer.get(), nullptr, 12};
+      render::DrawCall call;
+      call.count = 3;
+      if (i % 3 == 0) call.indexType = GL_UNSIGNED_SHORT, call.indices = indices;
+      ASSERT_TRUE(scene.context->draw(scene.state, call));
+    }
+    scene.context->flush();
+  };
+  for (int i = 0; i < 20; ++i) frame();
+  scene.read();
+  const render::Stats before = scene.context->stats();
+  const uint64_t allocationsBefore = allocations;
+  for (int i = 0; i < 100; ++i) frame();
+  const uint64_t made = allocations - allocationsBefore;
+  const render::Stats after = scene.context->stats();
+  EXPECT_EQ(made, 0u);
+  EXPECT_EQ(after.vulkanObjectsCreated, before.vulkanObjectsCreated);
+  EXPECT_EQ(after.memoryAllocations, before.memoryAllocations);
+  EXPECT_EQ(after.pipelinesCreated, before.pipelinesCreated);
+  EXPECT_EQ(after.draws - before.draws, 100u * 200u);
+  EXPECT_EQ(after.submits - before.submits, 100u);
+  EXPECT_EQ(after.renderPasses - before.renderPasses, 100u);
+  EXPECT_EQ(vulkan::validationMessages(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, Steady, testing::Values(false, true),
+                         [](const auto& info) { return info.param ? "minimal" : "full"; });
+
+}  // namespace
+}  // namespace anteroom::test
