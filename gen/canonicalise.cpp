@@ -1,7 +1,5 @@
 // State to keys (DESIGN: dead state never reaches a key). Each key is first written down as the state says,
 // then reduced.
-#include <bit>
-
 #include "gen/combiner.h"
 #include "gen/gen.h"
 #include "gen/reduce.h"
@@ -164,7 +162,7 @@ void translateUnit(const State& state, int unit, Coordinate read, VertexUnit& ou
 Groups keyGroups() {
   return kGroupTextureMatrix | kGroupCurrentOther | kGroupArrays | kGroupLighting | kGroupTextures |
          kGroupFog | kGroupPoints | kGroupClipPlanes | kGroupAlphaTest | kGroupFramebuffer |
-         kGroupFragmentOps | kGroupPrimitive | kGroupPalette;
+         kGroupFragmentOps | kGroupPrimitive;
 }
 
 FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {

@@ -117,7 +117,7 @@ void visitFields(const FragmentKey& key, auto visit) {
   visitFragment(key, visit);
 }
 
-// ---- Combiners: interpolate(texture0, 1-previous.a, constant)*2
+// ---- Combiners: interpolate(texture0,1-previous.a,constant)*2
 // ---------------------------------------------------
 
 std::string describe(Argument argument) {
@@ -127,11 +127,11 @@ std::string describe(Argument argument) {
 }
 
 std::string describe(const Combiner& combiner) {
-  std::string text(kFunctionWords[static_cast<int>(combiner.function)]);
+  std::string arguments;
   for (int i = 0; i < argumentCount(combiner.function); ++i)
-    text += (i ? "," : "(") + describe(combiner.arguments[i]);
-  text += ')';
-  return combiner.scaleLog2 ? fmt::format("{}*{}", text, 1 << combiner.scaleLog2) : text;
+    arguments += fmt::format("{}{}", i ? "," : "", describe(combiner.arguments[i]));
+  const std::string scale = combiner.scaleLog2 ? fmt::format("*{}", 1 << combiner.scaleLog2) : "";
+  return fmt::format("{}({}){}", kFunctionWords[static_cast<int>(combiner.function)], arguments, scale);
 }
 
 int find(Words words, std::string_view word) {

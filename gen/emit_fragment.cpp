@@ -34,70 +34,72 @@ std::string argumentText(Argument argument, int unit, bool replicateAlpha) {
   return complements(argument.operand) ? fmt::format("(1.0 - {})", text) : text;
 }
 
-// Table 3.17, scaled and clamped where it can leave [0, 1].
-std::string combinerText(const Combiner& combiner, Channel channel, int unit, Shader& shader) {
+struct Expression {
+  std::string text;
+  bool atom;  // needs no brackets before a component is taken
+  std::string component(std::string_view which) const {
+    return atom ? fmt::format("{}.{}", text, which) : fmt::format("({}).{}", text, which);
+  }
+};
+
+// Table 3.17, before scale and clamp.
+Expression functionText(const Combiner& combiner, Channel channel, int unit, Shader& shader) {
   const bool replicate = channel == Channel::Rgb || combiner.function == Function::Dot3;
   std::array<std::string, 3> text;
   for (int i = 0; i < argumentCount(combiner.function); ++i)
     text[i] = argumentText(combiner.arguments[i], unit, replicate);
   const auto& [a, b, c] = text;
-  std::string result;
-  bool sum = false, inRange = true;
   switch (combiner.function) {
-    case Function::Keep:
-      return "color";
     case Function::Replace:
-      result = a;
-      break;
+      return {a, true};
     case Function::Modulate:
-      result = fmt::format("{} * {}", a, b);
-      break;
-    case Function::Interpolate:
-      result = fmt::format("mix({}, {}, {})", b, a, c);
-      break;
+      return {fmt::format("{} * {}", a, b), false};
     case Function::Add:
-      result = fmt::format("{} + {}", a, b), sum = true;
-      break;
+      return {fmt::format("{} + {}", a, b), false};
     case Function::AddSigned:
-      result = fmt::format("{} + {} - 0.5", a, b), sum = true;
-      break;
+      return {fmt::format("{} + {} - 0.5", a, b), false};
+    case Function::Interpolate:
+      return {fmt::format("mix({}, {}, {})", b, a, c), true};
     case Function::Subtract:
-      result = fmt::format("{} - {}", a, b), sum = true;
-      break;
+      return {fmt::format("{} - {}", a, b), false};
     case Function::Dot3:
-      result = fmt::format("{}({}, {})", shader.call("dot3"), a, b), inRange = false;
-      break;
+      return {fmt::format("{}({}, {})", shader.call("dot3"), a, b), true};
+    default:
+      return {"color", true};
   }
-  if (combiner.scaleLog2) {
-    const int scale = 1 << combiner.scaleLog2;
-    result = sum ? fmt::format("{}.0 * ({})", scale, result) : fmt::format("{}.0 * {}", scale, result);
-  }
-  if (sum || !inRange || combiner.scaleLog2) result = fmt::format("{}({})", shader.call("saturate"), result);
-  return result;
 }
 
-// One component group of an expression.
-std::string component(const std::string& text, std::string_view which) {
-  const bool simple = text.find(' ') == std::string::npos || text.ends_with(')');
-  const bool grouped = simple && (text.find(' ') == std::string::npos || text.starts_with("saturate(") ||
-                                  text.starts_with("mix("));
-  return grouped ? fmt::format("{}.{}", text, which) : fmt::format("({}).{}", text, which);
+// Arguments are in [0, 1]: only these can leave it.
+bool leavesRange(const Combiner& combiner) {
+  const Function f = combiner.function;
+  return combiner.scaleLog2 || f == Function::Add || f == Function::AddSigned || f == Function::Subtract ||
+         f == Function::Dot3;
+}
+
+Expression combinerText(const Combiner& combiner, Channel channel, int unit, Shader& shader) {
+  const Expression result = functionText(combiner, channel, unit, shader);
+  if (!leavesRange(combiner)) return result;
+  const std::string scale = combiner.scaleLog2 ? fmt::format("{}.0 * ", 1 << combiner.scaleLog2) : "";
+  const bool brackets = combiner.scaleLog2 && !result.atom;
+  return {fmt::format("{}({}{}{}{})", shader.call("saturate"), scale, brackets ? "(" : "", result.text,
+                      brackets ? ")" : ""),
+          true};
 }
 
 void combine(const FragmentUnit& unit, int u, Shader& shader) {
   const bool rgb = unit.rgb.function != Function::Keep;
   const bool alpha = unit.alpha.function != Function::Keep;
   if (!rgb && !alpha) return;
-  const std::string rgbText = combinerText(unit.rgb, Channel::Rgb, u, shader);
-  const std::string alphaText = combinerText(unit.alpha, Channel::Alpha, u, shader);
-  if (rgbText == alphaText)
-    shader.line("color = {};", rgbText);
+  const Expression rgbText = combinerText(unit.rgb, Channel::Rgb, u, shader);
+  const Expression alphaText = combinerText(unit.alpha, Channel::Alpha, u, shader);
+  if (rgbText.text == alphaText.text)
+    shader.line("color = {};", rgbText.text);
   else if (!alpha)
-    shader.line("color.rgb = {};", component(rgbText, "rgb"));
+    shader.line("color.rgb = {};", rgbText.component("rgb"));
   else if (!rgb)
-    shader.line("color.a = {};", component(alphaText, "a"));
+    shader.line("color.a = {};", alphaText.component("a"));
   else
-    shader.line("color = vec4({}, {});", component(rgbText, "rgb"), component(alphaText, "a"));
+    shader.line("color = vec4({}, {});", rgbText.component("rgb"), alphaText.component("a"));
 }
 
 void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {

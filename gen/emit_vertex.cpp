@@ -67,40 +67,69 @@ void fetchAttributes(const VertexKey& key, Shader& shader) {
 }
 
 // One light's share of the sums `matte` (without the material under color material) and `shiny`.
-std::string lightLines(const VertexKey& key, int i, Shader& shader) {
-  const auto has = [&](uint8_t mask) { return (mask >> i & 1) != 0; };
-  std::string text, factor, half = fmt::format("light{}Half", i);
-  std::string toLight = fmt::format("light{}Direction", i);
-  if (has(key.positional)) {
-    toLight = fmt::format("toLight{}", i);
-    const std::string offset = fmt::format("light{}Position - point", i);
-    text += fmt::format("  vec3 {} = {}({});\n", toLight, shader.call("safeNormalize"), offset);
-    if (has(key.attenuated))
-      factor = fmt::format("{}(light{}Attenuation, length({}))", shader.call("attenuation"), i, offset);
-    if (key.shininess) half = fmt::format("{}({})", shader.call("halfway"), toLight);
+class LightText {
+ public:
+  LightText(const VertexKey& key, int light, Shader& shader) : key_(key), i_(light), shader_(shader) {}
+
+  std::string lines() {
+    if (has(key_.positional)) writeVector();
+    if (has(key_.attenuated))
+      scaleBy(fmt::format("{}(light{}Attenuation, length(offset{}))", call("attenuation"), i_, i_));
+    if (has(key_.spot)) scaleBy(cone());
+    const std::string diffuse = fmt::format("{}(normal, {}) * light{}Diffuse", call("facing"), toLight_, i_);
+    if (factor_.empty())
+      line("matte += {};", diffuse);
+    else
+      line("matte += {} * (light{}Ambient + {});", factor_, i_, diffuse);
+    if (key_.specular) writeSpecular();
+    return text_;
   }
-  if (has(key.spot)) {
-    if (!factor.empty()) factor += " * ";
-    const std::string cone = fmt::format("{}, light{}SpotDirection, light{}CosCutoff", toLight, i, i);
-    factor += has(key.spotExponent) ? fmt::format("{}({}, light{}SpotExponent)", shader.call("spot"), cone, i)
-                                    : fmt::format("{}({})", shader.call("spotCone"), cone);
+
+ private:
+  bool has(uint8_t mask) const { return (mask >> i_ & 1) != 0; }
+  std::string_view call(std::string_view function) { return shader_.call(function); }
+  template <class... Args>
+  void line(fmt::format_string<Args...> format, Args&&... args) {
+    text_ += "  " + fmt::format(format, std::forward<Args>(args)...) + '\n';
   }
-  const std::string diffuse =
-      fmt::format("{}(normal, {}) * light{}Diffuse", shader.call("facing"), toLight, i);
-  std::string scale;
-  if (factor.empty()) {
-    text += fmt::format("  matte += {};\n", diffuse);
-  } else {
-    scale = fmt::format("factor{} * ", i);
-    text += fmt::format("  float factor{} = {};\n", i, factor);
-    text += fmt::format("  matte += {}(light{}Ambient + {});\n", scale, i, diffuse);
+
+  void writeVector() {
+    line("vec3 offset{} = light{}Position - point;", i_, i_);
+    toLight_ = fmt::format("toLight{}", i_);
+    line("vec3 {} = {}(offset{});", toLight_, call("safeNormalize"), i_);
   }
-  if (!key.specular) return text;
-  const std::string highlight =
-      key.shininess ? fmt::format("{}(normal, {}, {}, shininess)", shader.call("highlight"), toLight, half)
-                    : fmt::format("{}(normal, {})", shader.call("flatHighlight"), toLight);
-  return text + fmt::format("  shiny += {}{} * light{}Specular;\n", scale, highlight, i);
-}
+
+  void scaleBy(const std::string& value) {
+    if (factor_.empty())
+      line("float factor{} = {};", i_, value);
+    else
+      line("{} *= {};", factor_, value);
+    factor_ = fmt::format("factor{}", i_);
+  }
+
+  std::string cone() {
+    const std::string common = fmt::format("{}, light{}SpotDirection, light{}CosCutoff", toLight_, i_, i_);
+    if (!has(key_.spotExponent)) return fmt::format("{}({})", call("spotCone"), common);
+    return fmt::format("{}({}, light{}SpotExponent)", call("spot"), common, i_);
+  }
+
+  void writeSpecular() {
+    std::string factor;
+    if (!key_.shininess) {
+      factor = fmt::format("{}(normal, {})", call("flatHighlight"), toLight_);
+    } else {
+      const std::string half = has(key_.positional) ? fmt::format("{}({})", call("halfway"), toLight_)
+                                                    : fmt::format("light{}Half", i_);
+      factor = fmt::format("{}(normal, {}, {}, shininess)", call("highlight"), toLight_, half);
+    }
+    line("shiny += {}{}{} * light{}Specular;", factor_, factor_.empty() ? "" : " * ", factor, i_);
+  }
+
+  const VertexKey& key_;
+  int i_;
+  Shader& shader_;
+  std::string text_, factor_, toLight_ = fmt::format("light{}Direction", i_);
+};
 
 // Section 2.12.1 as a function of the normal, for one side.
 void defineIlluminate(const VertexKey& key, Shader& shader) {
@@ -111,7 +140,7 @@ void defineIlluminate(const VertexKey& key, Shader& shader) {
   text += parameters + ") {\n";
   text += key.colorMaterial ? "  vec3 matte = sceneAmbient;\n" : "  vec3 matte = sceneColor.rgb;\n";
   if (key.specular) text += "  vec3 shiny = vec3(0.0);\n";
-  for (int i = 0; i < key.lights; ++i) text += lightLines(key, i, shader);
+  for (int i = 0; i < key.lights; ++i) text += LightText(key, i, shader).lines();
   std::string sum = key.colorMaterial ? "emission + color.rgb * matte" : "matte";
   if (key.specular) sum += " + shiny";
   const char* alpha = key.colorMaterial ? "color.a" : "sceneColor.a";

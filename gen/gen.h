@@ -58,10 +58,21 @@ void warmCompiler();
 // the texture of unit u, only the units that the fragment key samples. Push constants: vertex stage only,
 // from byte 0.
 
+// Images: a sampled texel has 0 for a color and 1 for an alpha that its base format has not (table 3.9):
+// ALPHA reads as (0, 0, 0, A), LUMINANCE as (L, L, L, 1), LUMINANCE_ALPHA as (L, L, L, A), RGB as (R, G, B,
+// 1). TextureEnv::lodBias is the sampler's.
+//
+// Attributes: FLOAT as it is; unsigned bytes of colors as UNORM; FIXED, and other BYTE and SHORT, as SINT,
+// converted by the shader. Components that an array has not are filled as Vulkan does (0, 0, 0, 1), except
+// that the shader does not read the fourth of an integer format that has only three.
+//
+// Points: gl_PointSize is written whenever the primitive is points. Smooth ones are rasterised a pixel wider
+// than they are, so the largest smooth size that a context offers is the device's less 1.
+
 // Bit `a` set: the shader reads array attribute a from vertex input location a. An attribute that is not an
 // array comes from constants.
 uint32_t attributesRead(const VertexKey& key);
-// Whether location `a` is declared as float, signed or unsigned integers in the shader.
+// Whether its location is declared as float, signed or unsigned integers in the shader.
 enum class InputClass : uint8_t { Float, Int, Uint };
 InputClass inputClass(const VertexKey& key, Attribute attribute);
 

@@ -1,8 +1,8 @@
 // The fixed-function state that decides what a vertex or a fragment computes, as plain data and in GL's
 // words.
 //
-// It is filled by the GL front end and read twice: `canonicalise` (gen/canonicalise.h) reduces it to keys,
-// and `pack*` (gen/constants.h) takes the values that a key's shader reads. A renderer without shaders
+// It is filled by the GL front end and read twice: `canonicalise*` (gen/gen.h) reduces it to keys,
+// and `pack*` takes the values that a key's shader reads. A renderer without shaders
 // evaluates it directly. Sections are those of the OpenGL ES 1.1.12 full specification.
 #pragma once
 
