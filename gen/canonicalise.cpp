@@ -79,24 +79,25 @@ uint8_t enabledPlanes(const State& state) {
   return count;
 }
 
-Fetch integerFetch(const AttributeState& attribute, Fetch four, Fetch three) {
-  return attribute.size < 4 ? three : four;
+bool isCoordinate(Attribute attribute) {
+  return attribute == kPosition || (attribute >= kTexCoord0 && attribute <= kTexCoordLast);
 }
 
 Fetch fetchOf(const State& state, Attribute attribute) {
   const AttributeState& in = state.attributes[attribute];
   if (!in.array) return Fetch::Constant;
-  const bool color = attribute == kColor;
+  const bool w1 = isCoordinate(attribute) && in.size < 4;
   const bool normal = attribute == kNormal;
   switch (in.type) {
     case GL_FIXED:
-      return integerFetch(in, Fetch::Fixed, normal || color ? Fetch::Fixed : Fetch::FixedW1);
+      return w1 ? Fetch::FixedW1 : Fetch::Fixed;
     case GL_BYTE:
-      return normal ? Fetch::NormedByte : integerFetch(in, Fetch::Int, Fetch::IntW1);
+      return normal ? Fetch::NormedByte : w1 ? Fetch::IntW1 : Fetch::Int;
     case GL_SHORT:
-      return normal ? Fetch::NormedShort : integerFetch(in, Fetch::Int, Fetch::IntW1);
+      return normal ? Fetch::NormedShort : w1 ? Fetch::IntW1 : Fetch::Int;
+    // Of colors: a UNORM format.
     case GL_UNSIGNED_BYTE:
-      return color ? Fetch::Float : Fetch::Uint;  // colors: a UNORM format
+      return attribute == kMatrixIndex ? Fetch::Uint : Fetch::Float;
     default:
       return Fetch::Float;
   }

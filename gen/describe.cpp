@@ -324,10 +324,15 @@ bool parse(const std::string& text, FragmentKey& key) {
 }
 
 bool valid(const VertexKey& key) {
-  if (!fieldsInRange(key) || key.fetch[kPosition] == Fetch::Unread) return false;
+  if (!fieldsInRange(key)) return false;
   for (int a = 0; a < kAttributeCount; ++a)
     if (!fetchSuits(static_cast<Attribute>(a), key.fetch[a])) return false;
-  return isReduced(key);
+  // Whatever is unread could have been fetched and reduced away; what is read stays, and differs.
+  VertexKey fetched = key;
+  for (Fetch& fetch : fetched.fetch)
+    if (fetch == Fetch::Unread) fetch = Fetch::Constant;
+  reduce(fetched);
+  return fetched == key && isReduced(key);
 }
 
 bool valid(const FragmentKey& key) {

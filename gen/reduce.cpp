@@ -69,6 +69,7 @@ void reduceUnit(VertexUnit& unit, Fetch& fetch) {
     return;
   }
   if (fetch == Fetch::Constant) {  // transformed and divided with the constants
+    if (writesQ) unit.output = unit.output == Coordinate::Stq ? Coordinate::St : Coordinate::Str;
     unit.matrix = 0;
     unit.q1 = 1;
     return;

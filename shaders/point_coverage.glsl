@@ -1,6 +1,7 @@
 // Expects: nothing
-// How much of a pixel the circle covers; the square that is rasterised is a pixel wider than the diameter.
+// How much of a pixel the circle covers, at most its area; the rasterised square is a pixel wider than the circle.
 float pointCoverage(vec2 coord, float diameter) {
   float fromCentre = length(coord - 0.5) * (diameter + 1.0);
-  return clamp(0.5 * diameter + 0.5 - fromCentre, 0.0, 1.0);
+  float area = 0.7853982 * diameter * diameter;
+  return clamp(0.5 * diameter + 0.5 - fromCentre, 0.0, min(area, 1.0));
 }

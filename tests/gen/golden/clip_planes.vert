@@ -1,0 +1,25 @@
+// vertex position=float color=constant shade=unlit clip=2
+#version 450
+
+layout(push_constant) uniform Push {
+  mat4 modelviewProjection;
+  vec4 color;
+};
+layout(std140, set = 0, binding = 0) uniform Vertex {
+  vec4 clipPlane0;
+  vec4 clipPlane1;
+};
+layout(location = 0) in vec4 position;
+out gl_PerVertex {
+  vec4 gl_Position;
+  float gl_ClipDistance[2];
+};
+invariant gl_Position;
+layout(location = 0) out vec4 frontColor;
+
+void main() {
+  gl_Position = modelviewProjection * position;
+  frontColor = color;
+  gl_ClipDistance[0] = dot(clipPlane0, position);
+  gl_ClipDistance[1] = dot(clipPlane1, position);
+}

@@ -1,0 +1,40 @@
+// vertex position=float normal=float shade=lit normalize lights=1
+#version 450
+
+layout(push_constant) uniform Push {
+  mat4 modelviewProjection;
+  mat3 normalMatrix;
+};
+layout(std140, set = 0, binding = 0) uniform Vertex {
+  vec4 sceneColor;
+  vec3 light0Direction;
+  vec3 light0Diffuse;
+};
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec3 normal;
+out gl_PerVertex {
+  vec4 gl_Position;
+};
+invariant gl_Position;
+layout(location = 0) out vec4 frontColor;
+
+// A unit vector; 0 for 0.
+vec3 safeNormalize(vec3 v) {
+  float squared = dot(v, v);
+  return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+}
+// The product of directions of section 2.12.1.
+float facing(vec3 a, vec3 b) { return max(dot(a, b), 0.0); }
+vec4 saturate(vec4 v) { return clamp(v, 0.0, 1.0); }
+
+vec4 illuminate(vec3 normal) {
+  vec3 matte = sceneColor.rgb;
+  matte += facing(normal, light0Direction) * light0Diffuse;
+  return saturate(vec4(matte, sceneColor.a));
+}
+
+void main() {
+  gl_Position = modelviewProjection * position;
+  vec3 eyeNormal = safeNormalize(normalMatrix * normal);
+  frontColor = illuminate(eyeNormal);
+}

@@ -1,0 +1,53 @@
+// vertex position=float normal=float shade=lit lights=1 out0=str texgen0=reflection matrix0 q1-0
+#version 450
+
+layout(push_constant) uniform Push {
+  mat4 modelviewProjection;
+  mat4 modelview;
+};
+layout(std140, set = 0, binding = 0) uniform Vertex {
+  mat3 normalMatrix;
+  vec4 sceneColor;
+  vec3 light0Direction;
+  vec3 light0Diffuse;
+  mat3x4 textureMatrix0;
+};
+layout(location = 0) in vec4 position;
+layout(location = 1) in vec3 normal;
+out gl_PerVertex {
+  vec4 gl_Position;
+};
+invariant gl_Position;
+layout(location = 0) out vec4 frontColor;
+layout(location = 6) out vec3 texCoord0;
+
+// Eye coordinates divided by w.
+vec3 eyePoint(vec4 eye) { return eye.w == 1.0 || eye.w == 0.0 ? eye.xyz : eye.xyz / eye.w; }
+// The product of directions of section 2.12.1.
+float facing(vec3 a, vec3 b) { return max(dot(a, b), 0.0); }
+vec4 saturate(vec4 v) { return clamp(v, 0.0, 1.0); }
+// A unit vector; 0 for 0.
+vec3 safeNormalize(vec3 v) {
+  float squared = dot(v, v);
+  return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+}
+// REFLECTION_MAP_OES: the direction from the eye, reflected.
+vec3 reflection(vec3 point, vec3 normal) {
+  vec3 u = safeNormalize(point);
+  return u - 2.0 * normal * dot(normal, u);
+}
+
+vec4 illuminate(vec3 normal) {
+  vec3 matte = sceneColor.rgb;
+  matte += facing(normal, light0Direction) * light0Diffuse;
+  return saturate(vec4(matte, sceneColor.a));
+}
+
+void main() {
+  gl_Position = modelviewProjection * position;
+  vec4 eye = modelview * position;
+  vec3 point = eyePoint(eye);
+  vec3 eyeNormal = normalMatrix * normal;
+  frontColor = illuminate(eyeNormal);
+  texCoord0 = vec4(reflection(point, eyeNormal), 1.0) * textureMatrix0;
+}
