@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -118,6 +119,9 @@ std::string_view chosenStage(const room::Demo& demo, std::string_view name, cons
 void render(const room::DemoEntry& entry, const Options& options) {
   const Size size = parseSize(options.size);
   const FrameRange range = parseFrames(options.frames);
+  if (!std::isfinite(options.time + range.last / options.fps)) {
+    throw UsageError("--time and --fps must give every frame a finite time");
+  }
   const std::string_view stage = chosenStage(*entry.make(), entry.name, options.stage);
   const std::filesystem::path folder = options.out;
   std::filesystem::create_directories(folder);
@@ -179,6 +183,7 @@ int run(int argc, char** argv) {
   app.add_option("--supersample", options.supersample, "render this many times larger and average")
       ->capture_default_str()
       ->check(CLI::Range(1, 4));
+  app.failure_message(CLI::FailureMessage::help);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -75,7 +75,7 @@ room::Texel canTexel(double u, double v) {
   room::Texel t = room::zinc(u, v, 44, 42);
 
   // Dirt gathers at the foot, under the beads and in the flutes; the inside is never clean.
-  const double grime = room::fractalNoise(u, v, 10, 8, 5, 201);
+  const double grime = room::fractalNoise(u, v, 10, 8, 3, 201);
   const double low = (1 - room::smoothStep(0.02, 0.22, y + 0.12 * grime)) * 0.65;
   const double groove = 0.5 - 0.5 * std::cos(u * kFlutes * glm::two_pi<double>());
   const double dirt = std::clamp(low + fluted(y) * groove * 0.32 + (outside ? 0.0 : 0.55), 0.0, 0.9);
@@ -97,7 +97,7 @@ room::Texel canTexel(double u, double v) {
     }
   }
   // Dents.
-  t.height += 0.010 * room::fractalNoise(u, v, 5, 6, 3, 202);
+  t.height += 0.010 * room::fractalNoise(u, v, 5, 6, 2, 202);
   return t;
 }
 

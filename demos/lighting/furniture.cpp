@@ -20,7 +20,7 @@ using room::MeshData;
 
 constexpr unsigned kBothLights = 3;
 constexpr unsigned kWarmLight = 1;
-constexpr double kCell = 0.15;  // tessellation of the walls
+constexpr double kCell = 0.20;  // tessellation of the walls
 
 dmat4 at(const dvec3& position, double turn = 0) {
   return glm::rotate(glm::translate(dmat4(1.0), position), turn, dvec3(0, 1, 0));
@@ -28,7 +28,7 @@ dmat4 at(const dvec3& position, double turn = 0) {
 
 // A board whose texture differs from its neighbours'.
 MeshData board(const dvec3& size, int number) {
-  return room::box(size, 0.25, 1.0 / room::kWoodExtent, {room::hash(number, 1, 7), room::hash(number, 2, 7)});
+  return room::box(size, 0.4, 1.0 / room::kWoodExtent, {room::hash(number, 1, 7), room::hash(number, 2, 7)});
 }
 
 // Planks inside a frame of boards, with a brace across. The frames meet edge to edge: nothing overlaps.
@@ -84,7 +84,7 @@ MeshData paperBall(double radius, int seed) {
     cuts[static_cast<std::size_t>(i)] = {ring * std::cos(angle), y, ring * std::sin(angle),
                                          0.62 + 0.33 * room::hash(i, seed, 312)};
   }
-  return room::surface(48, 28, [=](double u, double v) {
+  return room::surface(28, 16, [=](double u, double v) {
     const double angle = -u * glm::two_pi<double>();
     const double polar = (1 - v) * glm::pi<double>();
     const dvec3 direction(std::sin(polar) * std::cos(angle), std::cos(polar),
@@ -146,7 +146,7 @@ void Scene::addSkirting() {
 
 void Scene::addCan() {
   const dvec3 stand(0.55, 0, -0.95);
-  Part& can = add(can_, room::surface(208, 84, canSurface()), {Receiver::None, kBothLights, 1.0});
+  Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 1.0});
   can.model = at(stand, 0.4);
   can.shadowMesh = outlineOf(room::surface(40, 12, canSurface()));
 
@@ -156,7 +156,7 @@ void Scene::addCan() {
   const double radius = 0.351;
   const double upper = canRadius(2 * radius * std::sin(tilt) * 0.98);
   const double distance = upper + 0.02 + radius * std::cos(tilt);
-  Part& lid = add(lid_, room::surface(96, 48, lidSurface()), {Receiver::None, kBothLights, 1.0});
+  Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 1.0});
   dmat4 lean = at(stand + distance * dvec3(std::cos(away), 0, -std::sin(away)), away);
   lean = glm::translate(lean, dvec3(0, radius * std::sin(tilt), 0));
   lid.model = glm::rotate(lean, -tilt, dvec3(0, 0, 1));

@@ -128,6 +128,7 @@ class Lighting final : public room::Demo {
   void drawBeam(const Spotlight& light);
 
   void lightVertices(const Spotlight& light);
+  void chooseLit(const Spotlight& light, bool spot);
   void place(const Part& part) const { room::loadMatrix(camera_ * part.model); }
 
   std::optional<Scene> scene_;
@@ -138,9 +139,14 @@ class Lighting final : public room::Demo {
   PFNGLTEXGENIOESPROC texGeni_ = nullptr;
   glm::dmat4 camera_{1.0};
   glm::dvec3 eye_{0};
-  // A color a vertex and part for the light at hand: the light vector in tangent space, scaled and biased,
-  // and the attenuation in alpha.
-  std::vector<std::vector<glm::vec4>> lit_;
+  // For the light at hand, which parts it can reach, and a color for each of their vertices: the light vector
+  // in tangent space, scaled and biased, and the attenuation in alpha.
+  struct Lit {
+    const Part* part;
+    std::vector<glm::vec4>* colors;
+  };
+  std::vector<Lit> lit_;
+  std::vector<std::vector<glm::vec4>> colors_;
 };
 
 void Lighting::setup() {
@@ -161,7 +167,7 @@ void Lighting::setup() {
   ramp_ = room::makeTexture(rampImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE, GL_ALPHA);
   highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
   glow_ = room::makeTexture(glowImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
-  lit_.resize(scene_->parts().size());
+  colors_.resize(scene_->parts().size());
 }
 
 void Lighting::frame(const room::View& view, std::string_view stage) {
@@ -233,14 +239,24 @@ void Lighting::drawBase(const Terms& terms) {
   }
 }
 
+// Parts that shine by themselves are not lit; those outside the cone need no pass at all.
+void Lighting::chooseLit(const Spotlight& light, bool spot) {
+  lit_.clear();
+  for (std::size_t i = 0; i < colors_.size(); ++i) {
+    const Part& part = scene_->parts()[i];
+    if (part.material == nullptr) continue;
+    const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
+    if (!spot || light.reaches(center, part.radius)) lit_.push_back({&part, &colors_[i]});
+  }
+}
+
 // The light vector at every vertex, rotated into the vertex's T,B,N frame.
 void Lighting::lightVertices(const Spotlight& light) {
-  for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const Part& part = scene_->parts()[i];
-    if (part.material == nullptr || part.material->space != NormalSpace::Tangent) continue;
-    const glm::dvec3 lamp(glm::inverse(part.model) * glm::dvec4(light.position, 1.0));
-    lit_[i].clear();
-    for (const room::Vertex& v : part.data.vertices) {
+  for (const auto& [part, colors] : lit_) {
+    if (part->material->space != NormalSpace::Tangent) continue;
+    const glm::dvec3 lamp(glm::inverse(part->model) * glm::dvec4(light.position, 1.0));
+    colors->clear();
+    for (const room::Vertex& v : part->data.vertices) {
       const glm::dvec3 toLight = lamp - v.position;
       const double distance = std::max(glm::length(toLight), 1e-6);
       const glm::dvec3 tangentSpace = glm::dvec3(glm::dot(v.tangent, toLight), glm::dot(v.bitangent, toLight),
@@ -248,7 +264,7 @@ void Lighting::lightVertices(const Spotlight& light) {
                                       distance;
       // Bumps must not catch light that comes from behind the surface.
       const double facing = std::clamp(tangentSpace.z * 6.0 + 0.5, 0.0, 1.0);
-      lit_[i].emplace_back(glm::vec3(tangentSpace * 0.5 + 0.5),
+      colors->emplace_back(glm::vec3(tangentSpace * 0.5 + 0.5),
                            static_cast<float>(light.attenuation(distance) * facing));
     }
   }
@@ -257,6 +273,7 @@ void Lighting::lightVertices(const Spotlight& light) {
 // Destination alpha = attenuation * falloff * ramp, where the ramp is 0 behind the light's near plane.
 void Lighting::drawMask(int lightIndex, const Terms& terms) {
   const Spotlight& light = scene_->lights()[static_cast<std::size_t>(lightIndex)];
+  chooseLit(light, terms.spot);
   lightVertices(light);
   resetState();
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
@@ -268,26 +285,24 @@ void Lighting::drawMask(int lightIndex, const Terms& terms) {
     useTexture(1, ramp_);
     modulate();
   }
-  for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const Part& part = scene_->parts()[i];
-    if (part.material == nullptr) continue;
-    place(part);
-    part.mesh->bindPositions();
-    if (part.material->space == NormalSpace::Tangent) {
+  for (const auto& [part, colors] : lit_) {
+    place(*part);
+    part->mesh->bindPositions();
+    if (part->material->space == NormalSpace::Tangent) {
       glEnableClientState(GL_COLOR_ARRAY);
-      glColorPointer(4, GL_FLOAT, 0, lit_[i].data());
+      glColorPointer(4, GL_FLOAT, 0, colors->data());
     } else {
       glDisableClientState(GL_COLOR_ARRAY);
-      const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
+      const glm::dvec3 center(part->model * glm::dvec4(part->center, 1.0));
       setColor(glm::dvec3(1), light.attenuation(glm::distance(center, light.position)));
     }
     if (terms.spot) {
-      loadTextureMatrix(0, light.projection() * part.model);
-      loadTextureMatrix(1, light.nearPlane() * part.model);
-      useTexCoords(0, *part.mesh, true);
-      useTexCoords(1, *part.mesh, true);
+      loadTextureMatrix(0, light.projection() * part->model);
+      loadTextureMatrix(1, light.nearPlane() * part->model);
+      useTexCoords(0, *part->mesh, true);
+      useTexCoords(1, *part->mesh, true);
     }
-    part.mesh->draw();
+    part->mesh->draw();
   }
 }
 
@@ -332,29 +347,27 @@ void Lighting::drawBump(const Spotlight& light) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_ALPHA, GL_ONE);
   const glm::vec4 color(light.color * 0.5, 1.0);
-  for (std::size_t i = 0; i < lit_.size(); ++i) {
-    const Part& part = scene_->parts()[i];
-    if (part.material == nullptr) continue;
-    place(part);
-    useTexture(0, part.material->normal);
+  for (const auto& [part, colors] : lit_) {
+    place(*part);
+    useTexture(0, part->material->normal);
     combine(GL_DOT3_RGB, GL_TEXTURE, GL_PRIMARY_COLOR);
-    useTexture(1, part.material->base);
+    useTexture(1, part->material->base);
     combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, 2);
-    useTexture(2, part.material->base);
+    useTexture(2, part->material->base);
     combine(GL_MODULATE, GL_PREVIOUS, GL_CONSTANT, 2);
     glTexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, glm::value_ptr(color));
-    part.mesh->bindPositions();
-    for (int unit = 0; unit < kUnits; ++unit) useTexCoords(unit, *part.mesh);
-    if (part.material->space == NormalSpace::Tangent) {
+    part->mesh->bindPositions();
+    for (int unit = 0; unit < kUnits; ++unit) useTexCoords(unit, *part->mesh);
+    if (part->material->space == NormalSpace::Tangent) {
       glEnableClientState(GL_COLOR_ARRAY);
-      glColorPointer(4, GL_FLOAT, 0, lit_[i].data());
+      glColorPointer(4, GL_FLOAT, 0, colors->data());
     } else {
       // One light vector for the whole object, in the space of its normal map.
       glDisableClientState(GL_COLOR_ARRAY);
-      const glm::dvec3 lamp(glm::inverse(part.model) * glm::dvec4(light.position, 1.0));
-      setColor(glm::normalize(lamp - part.center) * 0.5 + 0.5);
+      const glm::dvec3 lamp(glm::inverse(part->model) * glm::dvec4(light.position, 1.0));
+      setColor(glm::normalize(lamp - part->center) * 0.5 + 0.5);
     }
-    part.mesh->draw();
+    part->mesh->draw();
   }
 }
 
@@ -364,11 +377,10 @@ void Lighting::drawFlat(const Spotlight& light) {
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_ALPHA, GL_ONE);
   setColor(light.color * 0.5);
-  for (const Part& part : scene_->parts()) {
-    if (part.material == nullptr) continue;
-    place(part);
-    part.mesh->bindPositions();
-    part.mesh->draw();
+  for (const Lit& lit : lit_) {
+    place(*lit.part);
+    lit.part->mesh->bindPositions();
+    lit.part->mesh->draw();
   }
 }
 
@@ -385,8 +397,9 @@ void Lighting::drawSpecular(const Spotlight& light) {
   highlight_.bind();
   texGeni_(GL_TEXTURE_GEN_STR_OES, GL_TEXTURE_GEN_MODE_OES, GL_REFLECTION_MAP_OES);
   modulate();
-  for (const Part& part : scene_->parts()) {
-    if (part.material == nullptr || part.shine <= 0) continue;
+  for (const Lit& lit : lit_) {
+    const Part& part = *lit.part;
+    if (part.shine <= 0) continue;
     place(part);
     const glm::dvec3 center(part.model * glm::dvec4(part.center, 1.0));
     const glm::dvec3 toLight = glm::normalize(glm::dmat3(camera_) * (light.position - center));

@@ -129,6 +129,7 @@ Part& Scene::add(const Material& material, room::MeshData data, const Options& o
     high = glm::max(high, v.position);
   }
   part.center = (low + high) * 0.5;
+  part.radius = glm::distance(low, high) * 0.5;
   return part;
 }
 

@@ -37,6 +37,7 @@ struct Part {
   std::unique_ptr<room::Mesh> shadowMesh;  // a simpler shape with the same outline, where the mesh is fine
   glm::dmat4 model{1.0};
   glm::dvec3 center{0};  // object space, for what is done once an object
+  double radius = 0;     // of a sphere about the center that holds it all
   Receiver receiver = Receiver::None;
   unsigned castsFor = 0;  // bit n: throws a shadow in light n
   double shine = 0;       // strength of the specular highlight

@@ -1,5 +1,6 @@
 #include "spotlight.h"
 
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "room/transform.h"
@@ -19,6 +20,15 @@ glm::dmat4 Spotlight::nearPlane() const {
   m[3][1] = 0.5;
   m[3][3] = 1.0;
   return m;
+}
+
+bool Spotlight::reaches(glm::dvec3 center, double radius) const {
+  const glm::dvec3 offset = center - position;
+  const double along = glm::dot(offset, direction);
+  const double aside = glm::length(offset - along * direction);
+  // Distance to the cone's side; in front of the apex region this is exact, elsewhere it errs towards true.
+  const double outside = aside * std::cos(halfAngle) - along * std::sin(halfAngle);
+  return along + radius > near && along - radius < range && outside < radius;
 }
 
 double Spotlight::attenuation(double distance) const {

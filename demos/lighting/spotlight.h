@@ -21,6 +21,8 @@ struct Spotlight {
   glm::dmat4 projection() const;
   // World to the 256x1 texture that removes what is behind: s = 0 on the near plane, 1 at the range.
   glm::dmat4 nearPlane() const;
+  // Whether any of a sphere can be inside the cone.
+  bool reaches(glm::dvec3 center, double radius) const;
   // In [0,1].
   double attenuation(double distance) const;
 };

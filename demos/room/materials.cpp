@@ -42,8 +42,8 @@ Texel brick(double u, double v) {
   const int idY = ((row % kRows) + kRows) % kRows;
   const dvec2 inCell = dvec2(columnPosition - column, rowPosition - row) * size;
 
-  const double grain = fractalNoise(u, v, 96, 96, 3, 21);
-  const double inset = insetOf(inCell, size) + fractalNoise(u, v, 64, 64, 2, 22) * 0.006;
+  const double grain = fractalNoise(u, v, 96, 96, 2, 21);
+  const double inset = insetOf(inCell, size) + fractalNoise(u, v, 64, 64, 1, 22) * 0.006;
   const double body = smoothStep(0.004, 0.013, inset);
 
   // Fired unevenly: most are red, some orange, a few nearly black.
@@ -51,20 +51,20 @@ Texel brick(double u, double v) {
   dvec3 color = glm::mix(dvec3(0.45, 0.20, 0.14), dvec3(0.63, 0.33, 0.21), fired);
   if (hash(idX, idY, 32) > 0.88) color = glm::mix(color, dvec3(0.20, 0.13, 0.12), 0.75);
   if (hash(idX, idY, 33) > 0.90) color = glm::mix(color, dvec3(0.72, 0.52, 0.38), 0.6);
-  color *= 0.92 + 0.22 * grain + 0.18 * fractalNoise(u, v, 12, 24, 3, 34);
+  color *= 0.92 + 0.22 * grain + 0.18 * fractalNoise(u, v, 12, 24, 2, 34);
 
   // Old whitewash is left in patches.
-  const double wash = smoothStep(0.12, 0.34, fractalNoise(u, v, 5, 4, 5, 35)) * 0.45;
+  const double wash = smoothStep(0.12, 0.34, fractalNoise(u, v, 5, 4, 4, 35)) * 0.45;
   color = glm::mix(color, dvec3(0.78, 0.73, 0.66) * (0.9 + 0.3 * grain), wash);
 
-  const dvec3 mortar = dvec3(0.50, 0.46, 0.41) * (0.82 + 0.5 * fractalNoise(u, v, 128, 128, 2, 36));
+  const dvec3 mortar = dvec3(0.50, 0.46, 0.41) * (0.82 + 0.5 * fractalNoise(u, v, 128, 128, 1, 36));
   const double tiltX = (hash(idX, idY, 37) - 0.5) * 0.06;
   const double tiltY = (hash(idX, idY, 38) - 0.5) * 0.10;
   Texel t;
   t.color = glm::mix(mortar * 0.8, color, body);
   t.height = body * (0.010 + tiltX * (inCell.x - size.x / 2) + tiltY * (inCell.y - size.y / 2) +
                      hash(idX, idY, 39) * 0.004) +
-             grain * (0.0016 + 0.0012 * body) + fractalNoise(u, v, 40, 40, 2, 40) * 0.002;
+             grain * (0.0016 + 0.0012 * body) + fractalNoise(u, v, 40, 40, 1, 40) * 0.002;
   return t;
 }
 
@@ -81,23 +81,23 @@ Texel checkerTiles(double u, double v) {
 
   const bool dark = ((column + row) & 1) != 0;
   const double shade = 0.9 + 0.2 * hash(column, row, 52);
-  const double cloud = fractalNoise(u + hash(column, row, 53), v + hash(column, row, 54), 8, 8, 5, 55);
+  const double cloud = fractalNoise(u + hash(column, row, 53), v + hash(column, row, 54), 8, 8, 4, 55);
   const double vein = std::exp(-std::abs(cloud) * 26.0);
   dvec3 color = dark ? glm::mix(dvec3(0.10, 0.115, 0.12), dvec3(0.34, 0.36, 0.35), vein * 0.55)
                      : glm::mix(dvec3(0.68, 0.62, 0.52), dvec3(0.46, 0.40, 0.33), vein * 0.6);
   color *= shade * (1.0 + 0.25 * cloud);
 
-  const double dirt = smoothStep(-0.05, 0.45, fractalNoise(u, v, 6, 6, 5, 56));
+  const double dirt = smoothStep(-0.05, 0.45, fractalNoise(u, v, 6, 6, 4, 56));
   color = glm::mix(color, dvec3(0.25, 0.21, 0.16), dirt * (dark ? 0.25 : 0.45));
-  const dvec3 grout = dvec3(0.21, 0.185, 0.16) * (0.9 + 0.5 * fractalNoise(u, v, 128, 128, 2, 57));
+  const dvec3 grout = dvec3(0.21, 0.185, 0.16) * (0.9 + 0.5 * fractalNoise(u, v, 128, 128, 1, 57));
 
   Texel t;
   t.color = glm::mix(grout, color, body);
   const double tiltX = (hash(column, row, 58) - 0.5) * 0.012;
   const double tiltY = (hash(column, row, 59) - 0.5) * 0.012;
   t.height = body * (0.0045 + tiltX * (inCell.x - size.x / 2) + tiltY * (inCell.y - size.y / 2)) +
-             (1 - body) * 0.001 * fractalNoise(u, v, 128, 128, 2, 60) +
-             fractalNoise(u, v, 20, 20, 3, 61) * 0.0013;
+             (1 - body) * 0.001 * fractalNoise(u, v, 128, 128, 1, 60) +
+             fractalNoise(u, v, 20, 20, 2, 61) * 0.0013;
   t.gloss = body;
   return t;
 }
@@ -156,12 +156,12 @@ Texel zinc(double u, double v, int crystalsX, int crystalsY) {
   const CellDistance crystal =
       cellNoise(u + 0.004 * noise(u * 60, v * 60, 60, 60, 111), v, crystalsX, crystalsY, 112);
   const double shade = 0.88 + 0.24 * crystal.identity;
-  const double smudge = fractalNoise(u, v, 8, 6, 5, 113);
-  const double rust = smoothStep(0.24, 0.42, fractalNoise(u, v, 8, 8, 6, 114));
+  const double smudge = fractalNoise(u, v, 8, 6, 4, 113);
+  const double rust = smoothStep(0.24, 0.42, fractalNoise(u, v, 8, 8, 5, 114));
   Texel t;
   t.color = dvec3(0.56, 0.58, 0.59) * shade * (1.0 + 0.35 * smudge);
   t.color = glm::mix(t.color, dvec3(0.38, 0.21, 0.11) * (1.0 + 0.6 * smudge), rust * 0.85);
-  t.height = 0.0004 * crystal.identity + fractalNoise(u, v, 12, 9, 3, 115) * 0.0022 +
+  t.height = 0.0004 * crystal.identity + fractalNoise(u, v, 12, 9, 2, 115) * 0.0022 +
              rust * 0.0008 * noise(u * 256, v * 256, 256, 256, 116);
   t.gloss = clamp01((0.55 + 0.6 * crystal.identity) * (0.85 + 0.6 * smudge)) * (1 - 0.92 * rust);
   return t;
