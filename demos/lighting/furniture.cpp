@@ -32,25 +32,30 @@ MeshData board(const dvec3& size, int number) {
 }
 
 // Planks inside a frame of boards, with a brace across. The frames meet edge to edge: nothing overlaps.
-void appendCrateSide(MeshData& mesh, const dmat4& outward, dvec2 size, double thick, int number) {
+MeshData crateSide(dvec2 size, double thick, int number) {
+  MeshData mesh;
   constexpr double kFrame = 0.085;
   constexpr int kPlanks = 5;
-  const double plank = size.y / kPlanks;
+  // The planks end behind the frame, or they would show through the neighbouring sides.
+  const dvec2 span = size - kFrame;
+  const double plank = span.y / kPlanks;
   for (int i = 0; i < kPlanks; ++i) {
-    mesh.append(board({size.x, plank - 0.007, thick}, number + i),
-                glm::translate(outward, dvec3(0, plank * (i + 0.5) - size.y / 2, -thick * 1.5)));
+    mesh.append(board({span.x, plank - 0.006, thick}, number + i),
+                glm::translate(dmat4(1.0), dvec3(0, plank * (i + 0.5) - span.y / 2, -thick * 1.5)));
   }
   const dvec2 inner = size - 2 * kFrame;
   for (double sign : {-1.0, 1.0}) {
     mesh.append(board({kFrame, size.y, thick}, ++number),
-                glm::translate(outward, dvec3(sign * (size.x - kFrame) / 2, 0, -thick / 2)));
+                glm::translate(dmat4(1.0), dvec3(sign * (size.x - kFrame) / 2, 0, -thick / 2)));
     mesh.append(board({inner.x, kFrame, thick}, ++number),
-                glm::translate(outward, dvec3(0, sign * (size.y - kFrame) / 2, -thick / 2)));
+                glm::translate(dmat4(1.0), dvec3(0, sign * (size.y - kFrame) / 2, -thick / 2)));
   }
   const double angle = std::atan2(inner.y, inner.x);
   const double length = glm::length(inner) - 0.06;
   mesh.append(board({length, 0.06, thick * 0.7}, ++number),
-              glm::translate(glm::rotate(outward, angle, dvec3(0, 0, 1)), dvec3(0, 0, -thick * 0.6)));
+              glm::translate(glm::rotate(dmat4(1.0), angle, dvec3(0, 0, 1)), dvec3(0, 0, -thick * 0.6)));
+  for (room::Vertex& v : mesh.vertices) v.side = dvec3(0, 0, 1);
+  return mesh;
 }
 
 MeshData crate(double side) {
@@ -60,11 +65,11 @@ MeshData crate(double side) {
   for (int face = 0; face < 4; ++face) {
     const dmat4 turned = glm::rotate(dmat4(1.0), face * glm::half_pi<double>(), dvec3(0, 1, 0));
     const double width = face % 2 == 0 ? side : side - 2 * kThick;
-    appendCrateSide(mesh, glm::translate(turned, dvec3(0, -kThick / 2, half)), {width, side - kThick}, kThick,
-                    10 * face);
+    mesh.append(crateSide({width, side - kThick}, kThick, 10 * face),
+                glm::translate(turned, dvec3(0, -kThick / 2, half)));
   }
   const dmat4 up = glm::rotate(dmat4(1.0), -glm::half_pi<double>(), dvec3(1, 0, 0));
-  appendCrateSide(mesh, glm::translate(up, dvec3(0, 0, half)), {side, side}, kThick, 40);
+  mesh.append(crateSide({side, side}, kThick, 40), glm::translate(up, dvec3(0, 0, half)));
   return mesh;
 }
 
@@ -146,7 +151,7 @@ void Scene::addSkirting() {
 
 void Scene::addCan() {
   const dvec3 stand(0.55, 0, -0.95);
-  Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 1.0});
+  Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 0.62});
   can.model = at(stand, 0.4);
   can.shadowMesh = outlineOf(room::surface(40, 12, canSurface()));
 
@@ -156,7 +161,7 @@ void Scene::addCan() {
   const double radius = 0.351;
   const double upper = canRadius(2 * radius * std::sin(tilt) * 0.98);
   const double distance = upper + 0.02 + radius * std::cos(tilt);
-  Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 1.0});
+  Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 0.5});
   dmat4 lean = at(stand + distance * dvec3(std::cos(away), 0, -std::sin(away)), away);
   lean = glm::translate(lean, dvec3(0, radius * std::sin(tilt), 0));
   lid.model = glm::rotate(lean, -tilt, dvec3(0, 0, 1));

@@ -120,7 +120,7 @@ class Lighting final : public room::Demo {
   void drawBase(const Terms& terms);
   void drawMask(int lightIndex, const Terms& terms);
   void drawShadows(int lightIndex, bool alone);
-  void drawBump(const Spotlight& light);
+  void drawBump(const Spotlight& light, double gain);
   void drawFlat(const Spotlight& light);
   void drawSpecular(const Spotlight& light);
   void drawGlow();
@@ -193,7 +193,8 @@ void Lighting::frame(const room::View& view, std::string_view stage) {
     const bool shadowsAlone = terms.shadows && !terms.bump;
     if (!shadowsAlone) drawMask(i, terms);
     if (terms.shadows) drawShadows(i, shadowsAlone);
-    if (terms.bump) drawBump(light);
+    // Without its cone a light is everywhere at once.
+    if (terms.bump) drawBump(light, terms.spot ? 1.0 : 0.5);
     if (terms.spot && !terms.bump && !terms.specular) drawFlat(light);
     if (terms.specular) drawSpecular(light);
   }
@@ -263,7 +264,8 @@ void Lighting::lightVertices(const Spotlight& light) {
                                                  glm::dot(v.normal, toLight)) /
                                       distance;
       // Bumps must not catch light that comes from behind the surface.
-      const double facing = std::clamp(tangentSpace.z * 6.0 + 0.5, 0.0, 1.0);
+      const double front = std::min(tangentSpace.z, glm::dot(v.side, toLight) / distance);
+      const double facing = std::clamp(front * 6.0 + 0.5, 0.0, 1.0);
       colors->emplace_back(glm::vec3(tangentSpace * 0.5 + 0.5),
                            static_cast<float>(light.attenuation(distance) * facing));
     }
@@ -342,11 +344,11 @@ void Lighting::drawShadows(int lightIndex, bool alone) {
 
 // color += N.L * base * light color * destination alpha. The scales of units 1 and 2 make up for the constant
 // color, which ends at 1, and for what attenuation takes.
-void Lighting::drawBump(const Spotlight& light) {
+void Lighting::drawBump(const Spotlight& light, double gain) {
   resetState();
   glEnable(GL_BLEND);
   glBlendFunc(GL_DST_ALPHA, GL_ONE);
-  const glm::vec4 color(light.color * 0.5, 1.0);
+  const glm::vec4 color(light.color * (0.5 * gain), 1.0);
   for (const auto& [part, colors] : lit_) {
     place(*part);
     useTexture(0, part->material->normal);

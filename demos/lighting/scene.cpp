@@ -167,7 +167,7 @@ void Scene::animate(double time) {
   cold.position = kFixturePivot + direction * 0.12;
   cold.direction = direction;
   cold.up = {0, 1, 0};
-  cold.color = {0.72, 1.12, 1.75};
+  cold.color = {0.62, 0.98, 1.55};
   cold.beam = 0.13;
   cold.halfAngle = glm::radians(20.0);
   cold.near = 0.12;

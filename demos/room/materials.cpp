@@ -159,7 +159,7 @@ Texel zinc(double u, double v, int crystalsX, int crystalsY) {
   const double smudge = fractalNoise(u, v, 8, 6, 4, 113);
   const double rust = smoothStep(0.24, 0.42, fractalNoise(u, v, 8, 8, 5, 114));
   Texel t;
-  t.color = dvec3(0.56, 0.58, 0.59) * shade * (1.0 + 0.35 * smudge);
+  t.color = dvec3(0.44, 0.46, 0.47) * shade * (1.0 + 0.35 * smudge);
   t.color = glm::mix(t.color, dvec3(0.38, 0.21, 0.11) * (1.0 + 0.6 * smudge), rust * 0.85);
   t.height = 0.0004 * crystal.identity + fractalNoise(u, v, 12, 9, 2, 115) * 0.0022 +
              rust * 0.0008 * noise(u * 256, v * 256, 256, 256, 116);

@@ -58,6 +58,7 @@ void MeshData::append(const MeshData& other, const glm::dmat4& transform) {
     v.normal = rotation * v.normal;
     v.tangent = rotation * v.tangent;
     v.bitangent = rotation * v.bitangent;
+    v.side = rotation * v.side;
     vertices.push_back(v);
   }
   for (std::uint16_t index : other.indices) indices.push_back(static_cast<std::uint16_t>(base + index));
@@ -77,6 +78,7 @@ Vertex surfaceVertex(const SurfaceFunction& point, double u, double v) {
   vertex.tangent = glm::normalize(du - vertex.normal * glm::dot(vertex.normal, du));
   vertex.bitangent = glm::cross(vertex.normal, vertex.tangent);
   vertex.uv = {u, v};
+  vertex.side = vertex.normal;
   return vertex;
 }
 
@@ -167,6 +169,7 @@ MeshData tube(const std::vector<glm::dvec3>& path, double radius, double bend, i
       v.normal = side * std::cos(angle) + other * std::sin(angle);
       v.tangent = other * std::cos(angle) - side * std::sin(angle);
       v.bitangent = along;
+      v.side = v.normal;
       v.position = line[i] + v.normal * radius;
       v.uv = {std::round(std::max(1.0, glm::two_pi<double>() * radius * texels)) * k / sides,
               length * texels};

@@ -16,6 +16,8 @@ struct Vertex {
   glm::dvec3 tangent;    // along growing u
   glm::dvec3 bitangent;  // along growing v
   glm::dvec2 uv;
+  glm::dvec3
+      side;  // normal of the side of the body that the vertex belongs to: what faces away is in its shade
 };
 
 struct MeshData {
