@@ -37,6 +37,7 @@ RULES = {
     "demos": (["demos"], [VULKAN, TESTING]),
     "tests/conformance": (["tests/conformance"], [VULKAN]),
     "tests/bench": (["tests/bench"], [VULKAN]),
+    "tests/bench/counting_layer": ([], [GL_API]),
     "tests/reference": (["tests/reference", "layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS]),
     "tests/gen": (["tests/gen", "gen"], [VULKAN, r"EGL/"]),
 }
