@@ -28,8 +28,9 @@ GLfixed toFixed(double value) {
 GLint roundToInt(double value) {
   return saturate(value);
 }
+// Zero lies between -1 and 0: it becomes 0.
 GLint normalisedToInt(double value) {
-  return saturate((4294967295.0 * value - 1.0) / 2.0);
+  return saturate(std::nearbyint((4294967295.0 * value - 1.0) / 2.0));
 }
 
 void Results::put(double value, Kind kind) {
