@@ -10,7 +10,7 @@ using namespace anteroom::gl;
 namespace {
 
 // An extension is listed when all of it works.
-constexpr std::array<std::string_view, 9> kExtensions{
+constexpr std::array<std::string_view, 11> kExtensions{
     "GL_OES_byte_coordinates",             // BYTE vertices and texture coordinates
     "GL_OES_compressed_paletted_texture",  // ten internal formats of CompressedTexImage2D
     "GL_OES_fixed_point",                  // ...x commands, FIXED arrays
@@ -20,6 +20,8 @@ constexpr std::array<std::string_view, 9> kExtensions{
     "GL_OES_query_matrix",                 // QueryMatrixxOES
     "GL_OES_read_format",                  // IMPLEMENTATION_COLOR_READ_FORMAT_OES and _TYPE_OES
     "GL_OES_single_precision",             // ...f commands
+    "GL_OES_texture_cube_map",             // TEXTURE_CUBE_MAP_OES, TEXTURE_GEN_STR_OES
+    "GL_OES_texture_npot",                 // sizes that are no power of two, with mip levels and REPEAT
 };
 
 std::string join() {
