@@ -71,7 +71,7 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
     }
     return specify(c, face, level, width, height, internalFormat, rows.format, std::move(texels));
   }
-  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
   if (rows.data) {
     const Place place = placeOf(face, level);
     if (!upload(c, *place.image, {place.level, place.layer, 0, 0, 0, width, height, 1}, rows)) return false;
@@ -82,7 +82,7 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
 
 bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
                       Format format, std::unique_ptr<std::byte[]> texels) {
-  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
   releaseImport(c);
   TextureLevel specified;
   specified.width = width;
@@ -100,7 +100,7 @@ bool Texture::replace(Context& c, int face, int level, const Rect& rect, const P
   if (rect.width == 0 || rect.height == 0 || !rows.data) return true;
   TextureLevel& t = edit(face, level);
   if (t.derived && !settle(c, face)) return false;
-  if (level == 0 && !keepDerived(c, face, t.internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, t.width, t.height, t.internalFormat)) return false;
   if (t.home) {
     const Place place = placeOf(face, level);
     const render::Region region{place.level, place.layer, rect.x, rect.y, 0, rect.width, rect.height, 1};
@@ -124,7 +124,7 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
   const int width = rect.width, height = rect.height;
   if (width == 0 || height == 0)
     return specify(c, face, level, width, height, internalFormat, format, nullptr);
-  if (level == 0 && !keepDerived(c, face, internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
 
   const TextureLevel& old = at(face, level);
   Place place;
@@ -161,7 +161,8 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
 
 bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const Rect& rect) {
   if (rect.width == 0 || rect.height == 0) return true;
-  if (level == 0 && !keepDerived(c, face, at(face, 0).internalFormat)) return false;
+  const TextureLevel& t = at(face, level);
+  if (level == 0 && !keepDerived(c, face, t.width, t.height, t.internalFormat)) return false;
   if (!reside(c, face, level)) return false;
   const Place place = placeOf(face, level);
   const render::Region region{place.level, place.layer, x, y, 0, rect.width, rect.height, 1};
@@ -238,16 +239,18 @@ bool Texture::derives(GLenum internalFormat) const {
   return generateMipmap && !isPaletted(internalFormat);
 }
 
-bool Texture::hasDerived(int face) const {
-  for (int level = 1; level < levels(); ++level) {
+bool Texture::hasDerived(int face, int from) const {
+  for (int level = from; level < levels(); ++level) {
     if (at(face, level).derived) return true;
   }
   return false;
 }
 
-// Before the base level changes: derived levels are computed from it now, unless they will be derived anew.
-bool Texture::keepDerived(Context& c, int face, GLenum newInternalFormat) {
-  return derives(newInternalFormat) || !hasDerived(face) || settle(c, face);
+// Before the base level becomes such a one: derived levels are computed from it as it is, unless they will be
+// derived anew.
+bool Texture::keepDerived(Context& c, int face, int width, int height, GLenum internalFormat) {
+  const bool again = derives(internalFormat) && width > 0 && height > 0;
+  return !hasDerived(face, again ? chainLength(width, height) : 1) || settle(c, face);
 }
 
 void Texture::baseChanged(Context& c, int face) {

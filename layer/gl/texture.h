@@ -106,8 +106,8 @@ struct Texture {
   int chainLength(int width, int height) const;  // levels of a full mipmap
   bool chainComplete(int face) const;
   bool derives(GLenum internalFormat) const;
-  bool hasDerived(int face) const;
-  bool keepDerived(Context& c, int face, GLenum newInternalFormat);
+  bool hasDerived(int face, int from = 1) const;
+  bool keepDerived(Context& c, int face, int width, int height, GLenum internalFormat);
   void baseChanged(Context& c, int face);
 
   // texture_storage.cpp. All but the first two: false, or no image, when out of memory.

@@ -24,21 +24,23 @@ void bind(Context& c, UnitBindings& unit, TextureSlot slot, std::shared_ptr<Text
   if (unit.enabled[slot]) c.mark(gen::kGroupTextures);
 }
 
-void resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
+// False: out of memory.
+bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
                  render::TextureBinding& binding) {
   fixed.target = gen::TextureTarget::None;
   binding.image = nullptr;
   for (const Target& candidate : kByPriority) {
     if (!unit.enabled[candidate.slot]) continue;
     Texture& texture = *unit.bound[candidate.slot];
-    if (!texture.complete()) return;
+    if (!texture.complete()) return true;
     binding.image = texture.sampled(c).get();
-    if (!binding.image) return c.setError(GL_OUT_OF_MEMORY);
+    if (!binding.image) return false;
     binding.sampler = texture.sampler;
     fixed.target = candidate.target;
     fixed.baseFormat = texture.baseFormat();
-    return;
+    return true;
   }
+  return true;
 }
 
 }  // namespace
@@ -71,10 +73,13 @@ void initTextures(Context& c) {
 }
 
 void resolveTextureUnits(Context& c) {
+  bool resolved = true;
   for (size_t i = 0; i < c.units.size(); ++i) {
-    resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]);
+    resolved = resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && resolved;
   }
-  c.seenTextureVersion = c.group->textureVersion.load(std::memory_order_relaxed);
+  // Images that were made just now raised the version, too. After a failure the next draw tries again.
+  c.seenTextureVersion = c.group->textureVersion.load(std::memory_order_relaxed) - (resolved ? 0 : 1);
+  if (!resolved) c.setError(GL_OUT_OF_MEMORY);
 }
 
 bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {

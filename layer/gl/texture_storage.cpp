@@ -36,13 +36,13 @@ Texture::Place Texture::placeOf(int face, int level) const {
   return {t.home, t.homeLevel, t.home && t.home->desc().dimension == Dimension::Cube ? face : 0};
 }
 
-// Whether level `level` of `image` is as large as that, in a format that loses nothing.
+// Whether level `level` of `image` is such a one.
 bool Texture::usable(const std::shared_ptr<Image>& image, Format format, int width, int height,
                      int level) const {
   if (!image) return false;
   const render::ImageDesc& desc = image->desc();
-  return level < desc.levels && (desc.format == format || desc.format == widest(format)) &&
-         width == std::max(desc.width >> level, 1) && height == std::max(desc.height >> level, 1);
+  return level < desc.levels && desc.format == format && width == std::max(desc.width >> level, 1) &&
+         height == std::max(desc.height >> level, 1);
 }
 
 std::shared_ptr<Image> Texture::createImage(Context& c, Format format, int width, int height,

@@ -37,8 +37,10 @@ TEST_F(CopyTest, FormatFollowsInternalFormatAndFramebuffer) {
 
 TEST_F(CopyTest, BeyondTheFramebuffer) {
   for (const auto& [x, y] : {std::pair{-3, -2}, {kWidth - 2, kHeight - 1}, {INT32_MAX, INT32_MIN}}) {
-    glBindTexture(GL_TEXTURE_2D, 1);
-    specify(0, 0, 0);  // no place to reuse
+    const GLuint name = 1;
+    glDeleteTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    filter(GL_TEXTURE_2D, GL_NEAREST);
     glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, x, y, 8, 8, 0);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
     FakeImage* image = draw();
