@@ -248,7 +248,7 @@ TEST_P(Draw, LineLoopsAreClosed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Draw, testing::Values(false, true),
-                         [](const auto& info) { return info.param ? "minimal" : "full"; });
+                         profileName);
 
 }  // namespace
 }  // namespace anteroom::test

@@ -5,9 +5,9 @@
 namespace anteroom::test {
 namespace {
 
-std::unique_ptr<render::Device> make(bool minimal) {
+std::unique_ptr<render::Device> make(bool minimal, bool validation) {
   vulkan::DeviceOptions options;
-  options.validation = true;
+  options.validation = validation;
   options.minimal = minimal;
   std::string error;
   auto device = vulkan::createDevice(options, error);
@@ -20,13 +20,19 @@ std::unique_ptr<render::Device> make(bool minimal) {
 
 }  // namespace
 
-render::Device& device(bool minimal) {
-  static const std::unique_ptr<render::Device> full = make(false), least = make(true);
-  return minimal ? *least : *full;
+render::Device& device(bool minimal, bool validation) {
+  static std::unique_ptr<render::Device> devices[2][2];
+  auto& held = devices[minimal][validation];
+  if (!held) held = make(minimal, validation);
+  return *held;
 }
 
 Scene::Scene(bool minimal, int width, int height, render::Format color, render::Format depthStencil, int samples)
-    : device(test::device(minimal)), context(device.createContext()) {
+    : Scene(test::device(minimal), width, height, color, depthStencil, samples) {}
+
+Scene::Scene(render::Device& on, int width, int height, render::Format color, render::Format depthStencil,
+             int samples)
+    : device(on), context(on.createContext()) {
   render::ImageDesc desc;
   desc.format = color;
   desc.width = width;

@@ -6,14 +6,20 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "layer/render/renderer.h"
 
 namespace anteroom::test {
 
-// One device a profile for the whole test program, with validation.
-render::Device& device(bool minimal);
+// One device a profile for the whole test program; by default with validation.
+render::Device& device(bool minimal, bool validation = true);
+
+// The test parameter `minimal` as a name.
+inline std::string profileName(const testing::TestParamInfo<bool>& minimal) {
+  return minimal.param ? "minimal" : "full";
+}
 
 using Pixel = std::array<uint8_t, 4>;
 
@@ -21,6 +27,8 @@ struct Scene {
   explicit Scene(bool minimal = false, int width = 16, int height = 16,
                  render::Format color = render::Format::RGBA8,
                  render::Format depthStencil = render::Format::Depth24Stencil8, int samples = 1);
+  Scene(render::Device& device, int width, int height, render::Format color, render::Format depthStencil,
+        int samples);
 
   // Arrays of floats in client memory; `size` components.
   void array(gen::Attribute attribute, const float* data, int size);

@@ -2,20 +2,19 @@
 #include <cstdlib>
 #include <new>
 
-#include "layer/vulkan/vulkan_device.h"
 #include "tests/render/scene.h"
 
 namespace {
 thread_local uint64_t allocations = 0;
 }
 
-void* operator new(size_t size) {
+[[gnu::noinline]] void* operator new(size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size ? size : 1)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, size_t) noexcept { std::free(memory); }
 
 namespace anteroom::test {
 namespace {
@@ -23,7 +22,8 @@ namespace {
 class Steady : public testing::TestWithParam<bool> {};
 
 TEST_P(Steady, FramesAllocateNothing) {
-  Scene scene(GetParam(), 64, 64);
+  // Without the validation layer, which allocates as it likes.
+  Scene scene(device(GetParam(), false), 64, 64, render::Format::RGBA8, render::Format::Depth24Stencil8, 1);
   const float triangle[] = {-0.1f, -0.1f, 0, 0.1f, -0.1f, 0, 0, 0.1f, 0};
   const auto buffer = scene.device.createBuffer(sizeof triangle, triangle);
   const uint16_t indices[] = {0, 1, 2};
@@ -57,11 +57,10 @@ TEST_P(Steady, FramesAllocateNothing) {
   EXPECT_EQ(after.draws - before.draws, 100u * 200u);
   EXPECT_EQ(after.submits - before.submits, 100u);
   EXPECT_EQ(after.renderPasses - before.renderPasses, 100u);
-  EXPECT_EQ(vulkan::validationMessages(), 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Steady, testing::Values(false, true),
-                         [](const auto& info) { return info.param ? "minimal" : "full"; });
+                         profileName);
 
 }  // namespace
 }  // namespace anteroom::test

@@ -1,0 +1,170 @@
+// Vertices and indices: every type and place, and what lies outside of buffers.
+#include <cstring>
+
+#include "layer/vulkan/vulkan_device.h"
+#include "tests/render/scene.h"
+
+namespace anteroom::test {
+namespace {
+
+constexpr Pixel kBlack{0, 0, 0, 255}, kWhite{255, 255, 255, 255};
+
+class Vertices : public testing::TestWithParam<bool> {
+ protected:
+  void TearDown() override { EXPECT_EQ(vulkan::validationMessages(), 0u); }
+};
+
+// The lower left half of the target, as a type's values.
+template <class T>
+std::vector<std::byte> triangle(T one, int size, size_t lead, size_t stride) {
+  const T minus = static_cast<T>(-one);
+  const T corners[3][4] = {{minus, minus, 0, one}, {one, minus, 0, one}, {minus, one, 0, one}};
+  std::vector<std::byte> bytes(lead + 3 * stride);
+  for (size_t i = 0; i < 3; ++i) std::memcpy(&bytes[lead + i * stride], corners[i], size * sizeof(T));
+  return bytes;
+}
+
+template <class T>
+void drawType(Scene& scene, GLenum type, T one) {
+  for (const bool inBuffer : {false, true})
+    for (int size = 2; size <= 4; ++size)
+      for (const size_t lead : {size_t{0}, size_t{4}, size_t{1}})
+        for (const size_t stride : {size * sizeof(T), size * sizeof(T) + 5, size_t{32}}) {
+          const auto bytes = triangle(one, size, lead, stride);
+          const auto buffer = scene.device.createBuffer(bytes.size(), bytes.data());
+          scene.clear(GL_COLOR_BUFFER_BIT);
+          scene.state.fixed.attributes[gen::kPosition] = {true, static_cast<uint8_t>(size), type, {}};
+          scene.state.arrays[gen::kPosition] = {
+              inBuffer ? buffer.get() : nullptr,
+              inBuffer ? reinterpret_cast<const void*>(lead) : bytes.data() + lead,
+              static_cast<uint32_t>(stride)};
+          scene.state.dirty |= gen::kGroupArrays;
+          scene.draw(GL_TRIANGLES, 3);
+          ASSERT_EQ(scene.at(2, 2), kWhite) << type << ' ' << size << ' ' << lead << ' ' << stride;
+          ASSERT_EQ(scene.at(13, 13), kBlack) << type << ' ' << size << ' ' << lead << ' ' << stride;
+        }
+}
+
+TEST_P(Vertices, EveryTypeSizeAndPlace) {
+  Scene scene(GetParam());
+  drawType<float>(scene, GL_FLOAT, 1);
+  drawType<int32_t>(scene, GL_FIXED, 65536);
+  drawType<int16_t>(scene, GL_SHORT, 1);
+  drawType<int8_t>(scene, GL_BYTE, 1);
+}
+
+TEST_P(Vertices, IndicesOfEveryType) {
+  Scene scene(GetParam());
+  const float points[] = {9, 9, -1, -1, 1, -1, -1, 1, 9, 9};
+  const uint8_t bytes[] = {0, 1, 2, 3};
+  const uint16_t shorts[] = {0, 1, 2, 3};
+  const uint32_t ints[] = {0, 1, 2, 3};
+  const auto vertices = scene.device.createBuffer(sizeof points, points);
+  for (const bool inBuffer : {false, true})
+    for (const bool vertexBuffer : {false, true})
+      for (const auto& [type, data, size] :
+           {std::tuple<GLenum, const void*, size_t>{GL_UNSIGNED_BYTE, bytes, 1},
+            std::tuple<GLenum, const void*, size_t>{GL_UNSIGNED_SHORT, shorts, 2},
+            std::tuple<GLenum, const void*, size_t>{GL_UNSIGNED_INT, ints, 4}}) {
+        const auto buffer = scene.device.createBuffer(4 * size, data);
+        scene.clear(GL_COLOR_BUFFER_BIT);
+        scene.array(gen::kPosition, points, 2);
+        if (vertexBuffer) scene.state.arrays[gen::kPosition] = {vertices.get(), nullptr, 8};
+        render::DrawCall call;
+        call.count = 3;
+        call.indexType = type;
+        call.indexBuffer = inBuffer ? buffer.get() : nullptr;
+        call.indices = inBuffer ? reinterpret_cast<const void*>(size) : static_cast<const std::byte*>(data) + size;
+        ASSERT_TRUE(scene.context->draw(scene.state, call));
+        EXPECT_EQ(scene.at(2, 2), kWhite);
+        EXPECT_EQ(scene.at(13, 13), kBlack);
+      }
+}
+
+TEST_P(Vertices, MixedSourcesAgreeOnTheVertex) {
+  Scene scene(GetParam());
+  const float points[] = {9, 9, 9, 9, -1, -1, 3, -1, -1, 3};
+  const float colors[] = {1, 0, 0, 1, 1, 0, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1};
+  const auto vertices = scene.device.createBuffer(sizeof points, points);
+  scene.array(gen::kPosition, points, 2);
+  scene.array(gen::kColor, colors, 4);
+  scene.state.arrays[gen::kPosition] = {vertices.get(), nullptr, 8};
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  scene.draw(GL_TRIANGLES, 3, 2);
+  EXPECT_EQ(scene.at(8, 8), (Pixel{0, 255, 0, 255}));
+  const uint16_t indices[] = {2, 3, 4};
+  render::DrawCall call;
+  call.count = 3;
+  call.indexType = GL_UNSIGNED_SHORT;
+  call.indices = indices;
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  ASSERT_TRUE(scene.context->draw(scene.state, call));
+  EXPECT_EQ(scene.at(8, 8), (Pixel{0, 255, 0, 255}));
+}
+
+TEST_P(Vertices, BeyondTheEndNothingStrangeIsRead) {
+  Scene scene(GetParam());
+  const float points[] = {-1, -1, 1, -1, -1, 1};
+  const auto vertices = scene.device.createBuffer(sizeof points, points);
+  const uint32_t indices[] = {0, 1, 0xffffffff, 0, 1, 2, 5, 6, 7};
+  const auto indexBuffer = scene.device.createBuffer(sizeof indices, indices);
+  scene.array(gen::kPosition, points, 2);
+  scene.state.arrays[gen::kPosition] = {vertices.get(), nullptr, 8};
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  scene.draw(GL_TRIANGLES, 3000);
+  EXPECT_EQ(scene.at(2, 2), kWhite);
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  scene.draw(GL_TRIANGLES, 3, 2147483000);
+  render::DrawCall call;
+  call.indexType = GL_UNSIGNED_INT;
+  call.indexBuffer = indexBuffer.get();
+  for (const auto& [offset, count] : {std::pair{0, 9}, std::pair{0, 100000}, std::pair{36, 3}, std::pair{4000, 3},
+                                      std::pair{35, 3}, std::pair{2, 3}}) {
+    call.indices = reinterpret_cast<const void*>(static_cast<uintptr_t>(offset));
+    call.count = count;
+    ASSERT_TRUE(scene.context->draw(scene.state, call));
+  }
+  EXPECT_EQ(scene.at(2, 2), kWhite);
+  // An array that begins beyond its buffer.
+  scene.state.arrays[gen::kPosition].pointer = reinterpret_cast<const void*>(uintptr_t{1} << 40);
+  scene.state.dirty |= gen::kGroupArrays;
+  scene.draw(GL_TRIANGLES, 3);
+  scene.read();
+}
+
+TEST_P(Vertices, DrawsSeeTheBufferOfTheirTime) {
+  Scene scene(GetParam());
+  const float left[] = {-1, -1, 0, -1, 0, 1, -1, -1, 0, 1, -1, 1}, right[] = {0, -1, 1, -1, 1, 1, 0, -1, 1, 1, 0, 1};
+  const auto buffer = scene.device.createBuffer(sizeof left, left);
+  scene.array(gen::kPosition, left, 2);
+  scene.state.arrays[gen::kPosition] = {buffer.get(), nullptr, 8};
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  scene.draw(GL_TRIANGLES, 6);
+  ASSERT_TRUE(buffer->write(0, right, sizeof right));
+  scene.color(1, 0, 0);
+  scene.draw(GL_TRIANGLES, 6);
+  EXPECT_EQ(scene.at(4, 8), kWhite);
+  EXPECT_EQ(scene.at(12, 8), (Pixel{255, 0, 0, 255}));
+}
+
+TEST_P(Vertices, SparseIndicesIntoClientMemory) {
+  Scene scene(GetParam());
+  std::vector<float> points(2 * 60000, 9.0f);
+  const float corners[] = {-1, -1, 1, -1, -1, 1};
+  const uint16_t indices[] = {3, 30000, 59999};
+  for (int i = 0; i < 3; ++i) std::memcpy(&points[2 * indices[i]], corners + 2 * i, 8);
+  scene.array(gen::kPosition, points.data(), 2);
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  render::DrawCall call;
+  call.count = 3;
+  call.indexType = GL_UNSIGNED_SHORT;
+  call.indices = indices;
+  ASSERT_TRUE(scene.context->draw(scene.state, call));
+  EXPECT_EQ(scene.at(2, 2), kWhite);
+  EXPECT_EQ(scene.at(13, 13), kBlack);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, Vertices, testing::Values(false, true), profileName);
+
+}  // namespace
+}  // namespace anteroom::test
