@@ -13,7 +13,9 @@ constexpr size_t kPadding = 16;
 
 }  // namespace
 
-BufferStore::~BufferStore() { device.memory().free(memory); }
+BufferStore::~BufferStore() {
+  device.memory().free(memory);
+}
 
 std::shared_ptr<VulkanBuffer> VulkanBuffer::create(VulkanDevice& device, size_t size, const void* data) {
   std::shared_ptr<VulkanBuffer> buffer(new VulkanBuffer(device, size));

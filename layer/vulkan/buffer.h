@@ -36,7 +36,8 @@ class VulkanBuffer final : public render::Buffer {
   bool write(size_t offset, const void* data, size_t size) override;
 
   const std::shared_ptr<BufferStore>& store() const { return store_; }
-  // The least and the greatest of `count` > 0 indices at `offset`, all inside the buffer. Remembered until a write.
+  // The least and the greatest of `count` > 0 indices at `offset`, all inside the buffer. Remembered until a
+  // write.
   IndexRange indexRange(GLenum type, size_t offset, uint32_t count);
 
  private:
@@ -56,6 +57,8 @@ class VulkanBuffer final : public render::Buffer {
   uint32_t nextKnown_ = 0;
 };
 
-inline VulkanBuffer& vulkan(render::Buffer& buffer) { return static_cast<VulkanBuffer&>(buffer); }
+inline VulkanBuffer& vulkan(render::Buffer& buffer) {
+  return static_cast<VulkanBuffer&>(buffer);
+}
 
 }  // namespace anteroom::vulkan

@@ -53,12 +53,12 @@ bool VulkanContext::clear(render::State& state, GLbitfield mask) {
     (stencilBits == 0xff ? plain : masked) |= kStencil;
 
   const bool inPass = pass_.activeOn(target_);
-  const PendingClear values{0,
-                            target_.colorLevel,
-                            target_.colorLayer,
-                            target_.color ? clearColor(state.clear.color, *target_.color) : VkClearColorValue{},
-                            {std::clamp(state.clear.depth, 0.0f, 1.0f),
-                             static_cast<uint32_t>(state.clear.stencil) & 0xff}};
+  const PendingClear values{
+      0,
+      target_.colorLevel,
+      target_.colorLayer,
+      target_.color ? clearColor(state.clear.color, *target_.color) : VkClearColorValue{},
+      {std::clamp(state.clear.depth, 0.0f, 1.0f), static_cast<uint32_t>(state.clear.stencil) & 0xff}};
   VkImageAspectFlags now = plain;
   if (covers) {
     if (plain & kColor && !inPass) {
@@ -79,7 +79,8 @@ bool VulkanContext::clear(render::State& state, GLbitfield mask) {
 bool VulkanContext::remember(VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
                              const PendingClear& values) {
   PendingClear& pending = image.pending;
-  if (pending.aspects && (pending.level != level || pending.layer != layer) && !materialise(image)) return false;
+  if (pending.aspects && (pending.level != level || pending.layer != layer) && !materialise(image))
+    return false;
   // A stencil buffer may live in an image with depth, and the other way round.
   pending.aspects |= aspects;
   pending.level = level;
@@ -91,7 +92,8 @@ bool VulkanContext::remember(VulkanImage& image, int level, int layer, VkImageAs
   return true;
 }
 
-bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& rect, const PendingClear& values) {
+bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& rect,
+                                const PendingClear& values) {
   if (!pass_.require(target_, aspects & (kDepth | kStencil))) return false;
   VkClearAttachment attachments[2];
   uint32_t count = 0;
@@ -110,7 +112,8 @@ bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& 
 }
 
 // Some components of the color, some bits of the stencil: a flat quad under the masks.
-bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags aspects, const render::Rect& rect) {
+bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags aspects,
+                                const render::Rect& rect) {
   DrawState quad;
   quad.scissor = flipped(rect, target_);
   quad.fixed.depthCompare = VK_COMPARE_OP_ALWAYS;
@@ -158,8 +161,8 @@ bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClea
   bound_.layout = {};
   emit(fn, commands, features, key.samples, quad, sent_, !bound_.stateSent);
   bound_.stateSent = true;
-  fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof color.float32,
-                        color.float32);
+  fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,
+                        sizeof color.float32, color.float32);
   bound_.pushed = 0;
   fn.vkCmdDraw(commands, 3, 1, 0, 0);
   return true;
@@ -182,7 +185,8 @@ bool VulkanContext::materialise(VulkanImage& image) {
   return true;
 }
 
-// Copies can leave any alpha in the store of a format that has none: before it is drawn to, it must read as 1.
+// Copies can leave any alpha in the store of a format that has none: before it is drawn to, it must read
+// as 1.
 bool VulkanContext::opaqueAlpha(VulkanImage& image, int level, int layer) {
   Target target;
   target.color = &image;

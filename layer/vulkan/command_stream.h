@@ -1,5 +1,5 @@
-// A context's commands: one primary command buffer a submission, a few in flight. Knows which stores a recording uses
-// and when a barrier is due.
+// A context's commands: one primary command buffer a submission, a few in flight. Knows which stores a
+// recording uses and when a barrier is due.
 #pragma once
 
 #include <volk.h>
@@ -28,7 +28,8 @@ class CommandStream {
   uint64_t recordingId() const { return recordingId_; }
 
   void hold(const std::shared_ptr<BufferStore>& store);
-  // To be called before commands that read or write the image are recorded, and outside a pass where it says so.
+  // To be called before commands that read or write the image are recorded, and outside a pass where it says
+  // so.
   void hold(const std::shared_ptr<ImageStore>& store);
   void read(const std::shared_ptr<ImageStore>& store) {
     hold(store);

@@ -18,19 +18,24 @@ VulkanContext::VulkanContext(VulkanDevice& device)
       readBack_(device, Stream::Purpose::ReadBack, 1 << 20),
       fetch_(device) {}
 
-VulkanContext::~VulkanContext() { finish(); }
+VulkanContext::~VulkanContext() {
+  finish();
+}
 
 bool VulkanContext::submit() {
   pass_.end();
   drawsSinceSubmit_ = 0;
   if (!commands_.recording()) return !commands_.lost();
   const uint64_t serial = commands_.submit();
-  for (Stream* stream : {&vertices_, &indices_, &constants_, &staging_, &readBack_}) stream->submitted(serial);
+  for (Stream* stream : {&vertices_, &indices_, &constants_, &staging_, &readBack_})
+    stream->submitted(serial);
   if (serial) ++stats_.submits;
   return serial != 0;
 }
 
-void VulkanContext::flush() { submit(); }
+void VulkanContext::flush() {
+  submit();
+}
 
 void VulkanContext::finish() {
   submit();
@@ -43,7 +48,9 @@ uint64_t VulkanContext::insertFence() {
   return commands_.lastSubmitted();
 }
 
-bool VulkanContext::waitFence(uint64_t fence, uint64_t timeout) { return device_.timeline().wait(fence, timeout); }
+bool VulkanContext::waitFence(uint64_t fence, uint64_t timeout) {
+  return device_.timeline().wait(fence, timeout);
+}
 
 const render::Stats& VulkanContext::stats() const {
   stats_.renderPasses = pass_.passes();

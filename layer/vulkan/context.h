@@ -117,8 +117,8 @@ class VulkanContext final : public render::Context {
   const std::shared_ptr<ImageStore>& heldReadable(VulkanImage& image);
   bool waitFor(const ImageStore& store);
   void leavePass(ImageStore& store, bool write);
-  bool copyOnDevice(VulkanImage& image, const render::Region& region, const render::Framebuffer& source, int x,
-                    int y);
+  bool copyOnDevice(VulkanImage& image, const render::Region& region, const render::Framebuffer& source,
+                    int x, int y);
   bool copyThroughMemory(VulkanImage& image, const render::Region& region, const render::Framebuffer& source,
                          int x, int y);
   // mipmaps.cpp

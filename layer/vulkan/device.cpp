@@ -21,8 +21,8 @@ namespace {
 
 constexpr uint32_t kSetsAPool = 64;
 
-// A CPU driver allocates and frees its scene blocks with malloc: glibc's defaults give the pages back to the kernel
-// and fault them in again at every frame.
+// A CPU driver allocates and frees its scene blocks with malloc: glibc's defaults give the pages back to the
+// kernel and fault them in again at every frame.
 void keepPages() {
 #ifdef __GLIBC__
   const char* setting = std::getenv("ANTEROOM_MALLOPT");
@@ -32,7 +32,8 @@ void keepPages() {
 #endif
 }
 
-// Builds the compiler's tables beside the program's own start. Joined before the process, or this library, ends.
+// Builds the compiler's tables beside the program's own start. Joined before the process, or this library,
+// ends.
 class WarmUp {
  public:
   WarmUp() : thread_([] { gen::warmCompiler(); }) {}
@@ -97,7 +98,8 @@ VulkanDevice::~VulkanDevice() {
     memory_.reset();
     for (VkDescriptorPool pool : constantPools_) fn_.vkDestroyDescriptorPool(handle_, pool, nullptr);
     fn_.vkDestroyPipelineLayout(handle_, pipelineLayout_, nullptr);
-    for (VkDescriptorSetLayout layout : setLayouts_) fn_.vkDestroyDescriptorSetLayout(handle_, layout, nullptr);
+    for (VkDescriptorSetLayout layout : setLayouts_)
+      fn_.vkDestroyDescriptorSetLayout(handle_, layout, nullptr);
     fn_.vkDestroyDevice(handle_, nullptr);
   }
   const DeviceLock lock;

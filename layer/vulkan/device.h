@@ -65,8 +65,8 @@ class VulkanDevice : public render::Device {
   PipelineCache& pipelines() { return *pipelines_; }
   LegacyPasses& legacyPasses() { return *legacyPasses_; }
 
-  // Set 0: vertex and fragment constants (dynamic offsets). Set 1: a texture a unit. One layout for all pipelines, so
-  // that nothing that is bound is disturbed by another pipeline.
+  // Set 0: vertex and fragment constants (dynamic offsets). Set 1: a texture a unit. One layout for all
+  // pipelines, so that nothing that is bound is disturbed by another pipeline.
   VkPipelineLayout pipelineLayout() const { return pipelineLayout_; }
   VkDescriptorSetLayout textureSetLayout() const { return setLayouts_[1]; }
   // A set 0 that shows `buffer`. Null: out of memory. Give it back with freeConstantSet.

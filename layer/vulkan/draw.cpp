@@ -253,7 +253,8 @@ bool VulkanContext::writeIndices(const render::DrawCall& call, Expansion expansi
   if (out.count == 0) return true;
   const StreamPiece piece = indices_.allocate(VkDeviceSize{out.count} * 4, 4);
   if (!piece) return false;
-  expandIndices(mode, expansion, call.indexType, indices, count, base, reinterpret_cast<uint32_t*>(piece.mapped));
+  expandIndices(mode, expansion, call.indexType, indices, count, base,
+                reinterpret_cast<uint32_t*>(piece.mapped));
   out.indexBuffer = piece.buffer;
   out.indexOffset = piece.offset;
   return true;
@@ -269,7 +270,8 @@ bool VulkanContext::bindAll(VkCommandBuffer commands) {
   startBound();
   bindVertices(commands);
   if (!bindPipeline(commands)) return false;
-  emit(device_.fn(), commands, device_.features(), pass_.formats().samples, wanted_, sent_, !bound_.stateSent);
+  emit(device_.fn(), commands, device_.features(), pass_.formats().samples, wanted_, sent_,
+       !bound_.stateSent);
   bound_.stateSent = true;
   return bindConstants(commands) && bindTextures(commands);
 }
@@ -302,10 +304,18 @@ void VulkanContext::bindVertices(VkCommandBuffer commands) {
     VkVertexInputAttributeDescription2EXT attributes[gen::kAttributeCount];
     for (uint32_t i = 0; i < layout.count; ++i) {
       const VertexLayout::Array& array = layout.arrays[i];
-      bindings[i] = {VK_STRUCTURE_TYPE_VERTEX_INPUT_BINDING_DESCRIPTION_2_EXT, nullptr, i, array.stride,
-                     VK_VERTEX_INPUT_RATE_VERTEX, 1};
-      attributes[i] = {VK_STRUCTURE_TYPE_VERTEX_INPUT_ATTRIBUTE_DESCRIPTION_2_EXT, nullptr, array.location, i,
-                       static_cast<VkFormat>(array.format), 0};
+      bindings[i] = {VK_STRUCTURE_TYPE_VERTEX_INPUT_BINDING_DESCRIPTION_2_EXT,
+                     nullptr,
+                     i,
+                     array.stride,
+                     VK_VERTEX_INPUT_RATE_VERTEX,
+                     1};
+      attributes[i] = {VK_STRUCTURE_TYPE_VERTEX_INPUT_ATTRIBUTE_DESCRIPTION_2_EXT,
+                       nullptr,
+                       array.location,
+                       i,
+                       static_cast<VkFormat>(array.format),
+                       0};
     }
     device_.fn().vkCmdSetVertexInputEXT(commands, layout.count, bindings, layout.count, attributes);
     bound_.layout = layout;
@@ -358,8 +368,8 @@ bool VulkanContext::bindConstants(VkCommandBuffer commands) {
   if (set == bound_.constants && offsets[0] == bound_.constantOffsets[0] &&
       offsets[1] == bound_.constantOffsets[1])
     return true;
-  fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 0, 1, &set, 2,
-                             offsets);
+  fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 0, 1, &set,
+                             2, offsets);
   bound_.constants = set;
   bound_.constantOffsets[0] = offsets[0];
   bound_.constantOffsets[1] = offsets[1];
@@ -394,13 +404,19 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands) {
   }
   const auto& fn = device_.fn();
   if (push) {
-    fn.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1, count,
-                                 writes);
+    fn.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1,
+                                 count, writes);
     bound_.textures |= units_;
   } else {
+    // Drivers walk all of a set: what no shader reads shows some texture, too.
+    for (uint32_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
+      if (units_ >> unit & 1) continue;
+      writes[count] = writes[0];
+      writes[count++].dstBinding = unit;
+    }
     fn.vkUpdateDescriptorSets(device_.handle(), count, writes, 0, nullptr);
-    fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1, 1, &set, 0,
-                               nullptr);
+    fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1, 1,
+                               &set, 0, nullptr);
     bound_.textures = units_;
   }
   return true;

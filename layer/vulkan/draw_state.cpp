@@ -6,67 +6,109 @@
 namespace anteroom::vulkan {
 namespace {
 
-uint8_t compareOp(GLenum function) { return static_cast<uint8_t>(function - GL_NEVER); }
+uint8_t compareOp(GLenum function) {
+  return static_cast<uint8_t>(function - GL_NEVER);
+}
 static_assert(VK_COMPARE_OP_NEVER == 0 && VK_COMPARE_OP_LESS == GL_LESS - GL_NEVER &&
               VK_COMPARE_OP_ALWAYS == GL_ALWAYS - GL_NEVER);
 
 uint8_t stencilOp(GLenum op) {
   switch (op) {
-    case GL_ZERO: return VK_STENCIL_OP_ZERO;
-    case GL_REPLACE: return VK_STENCIL_OP_REPLACE;
-    case GL_INCR: return VK_STENCIL_OP_INCREMENT_AND_CLAMP;
-    case GL_DECR: return VK_STENCIL_OP_DECREMENT_AND_CLAMP;
-    case GL_INVERT: return VK_STENCIL_OP_INVERT;
-    case GL_INCR_WRAP_OES: return VK_STENCIL_OP_INCREMENT_AND_WRAP;
-    case GL_DECR_WRAP_OES: return VK_STENCIL_OP_DECREMENT_AND_WRAP;
-    default: return VK_STENCIL_OP_KEEP;
+    case GL_ZERO:
+      return VK_STENCIL_OP_ZERO;
+    case GL_REPLACE:
+      return VK_STENCIL_OP_REPLACE;
+    case GL_INCR:
+      return VK_STENCIL_OP_INCREMENT_AND_CLAMP;
+    case GL_DECR:
+      return VK_STENCIL_OP_DECREMENT_AND_CLAMP;
+    case GL_INVERT:
+      return VK_STENCIL_OP_INVERT;
+    case GL_INCR_WRAP_OES:
+      return VK_STENCIL_OP_INCREMENT_AND_WRAP;
+    case GL_DECR_WRAP_OES:
+      return VK_STENCIL_OP_DECREMENT_AND_WRAP;
+    default:
+      return VK_STENCIL_OP_KEEP;
   }
 }
 
 uint8_t blendFactor(GLenum factor) {
   switch (factor) {
-    case GL_ZERO: return VK_BLEND_FACTOR_ZERO;
-    case GL_SRC_COLOR: return VK_BLEND_FACTOR_SRC_COLOR;
-    case GL_ONE_MINUS_SRC_COLOR: return VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR;
-    case GL_DST_COLOR: return VK_BLEND_FACTOR_DST_COLOR;
-    case GL_ONE_MINUS_DST_COLOR: return VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR;
-    case GL_SRC_ALPHA: return VK_BLEND_FACTOR_SRC_ALPHA;
-    case GL_ONE_MINUS_SRC_ALPHA: return VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    case GL_DST_ALPHA: return VK_BLEND_FACTOR_DST_ALPHA;
-    case GL_ONE_MINUS_DST_ALPHA: return VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
-    case GL_SRC_ALPHA_SATURATE: return VK_BLEND_FACTOR_SRC_ALPHA_SATURATE;
-    default: return VK_BLEND_FACTOR_ONE;
+    case GL_ZERO:
+      return VK_BLEND_FACTOR_ZERO;
+    case GL_SRC_COLOR:
+      return VK_BLEND_FACTOR_SRC_COLOR;
+    case GL_ONE_MINUS_SRC_COLOR:
+      return VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR;
+    case GL_DST_COLOR:
+      return VK_BLEND_FACTOR_DST_COLOR;
+    case GL_ONE_MINUS_DST_COLOR:
+      return VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR;
+    case GL_SRC_ALPHA:
+      return VK_BLEND_FACTOR_SRC_ALPHA;
+    case GL_ONE_MINUS_SRC_ALPHA:
+      return VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
+    case GL_DST_ALPHA:
+      return VK_BLEND_FACTOR_DST_ALPHA;
+    case GL_ONE_MINUS_DST_ALPHA:
+      return VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
+    case GL_SRC_ALPHA_SATURATE:
+      return VK_BLEND_FACTOR_SRC_ALPHA_SATURATE;
+    default:
+      return VK_BLEND_FACTOR_ONE;
   }
 }
 
 uint8_t blendOp(GLenum equation) {
   switch (equation) {
-    case GL_FUNC_SUBTRACT_OES: return VK_BLEND_OP_SUBTRACT;
-    case GL_FUNC_REVERSE_SUBTRACT_OES: return VK_BLEND_OP_REVERSE_SUBTRACT;
-    case GL_MIN_EXT: return VK_BLEND_OP_MIN;
-    case GL_MAX_EXT: return VK_BLEND_OP_MAX;
-    default: return VK_BLEND_OP_ADD;
+    case GL_FUNC_SUBTRACT_OES:
+      return VK_BLEND_OP_SUBTRACT;
+    case GL_FUNC_REVERSE_SUBTRACT_OES:
+      return VK_BLEND_OP_REVERSE_SUBTRACT;
+    case GL_MIN_EXT:
+      return VK_BLEND_OP_MIN;
+    case GL_MAX_EXT:
+      return VK_BLEND_OP_MAX;
+    default:
+      return VK_BLEND_OP_ADD;
   }
 }
 
 uint8_t logicOp(GLenum op) {
   switch (op) {
-    case GL_CLEAR: return VK_LOGIC_OP_CLEAR;
-    case GL_AND: return VK_LOGIC_OP_AND;
-    case GL_AND_REVERSE: return VK_LOGIC_OP_AND_REVERSE;
-    case GL_AND_INVERTED: return VK_LOGIC_OP_AND_INVERTED;
-    case GL_NOOP: return VK_LOGIC_OP_NO_OP;
-    case GL_XOR: return VK_LOGIC_OP_XOR;
-    case GL_OR: return VK_LOGIC_OP_OR;
-    case GL_NOR: return VK_LOGIC_OP_NOR;
-    case GL_EQUIV: return VK_LOGIC_OP_EQUIVALENT;
-    case GL_INVERT: return VK_LOGIC_OP_INVERT;
-    case GL_OR_REVERSE: return VK_LOGIC_OP_OR_REVERSE;
-    case GL_COPY_INVERTED: return VK_LOGIC_OP_COPY_INVERTED;
-    case GL_OR_INVERTED: return VK_LOGIC_OP_OR_INVERTED;
-    case GL_NAND: return VK_LOGIC_OP_NAND;
-    case GL_SET: return VK_LOGIC_OP_SET;
-    default: return VK_LOGIC_OP_COPY;
+    case GL_CLEAR:
+      return VK_LOGIC_OP_CLEAR;
+    case GL_AND:
+      return VK_LOGIC_OP_AND;
+    case GL_AND_REVERSE:
+      return VK_LOGIC_OP_AND_REVERSE;
+    case GL_AND_INVERTED:
+      return VK_LOGIC_OP_AND_INVERTED;
+    case GL_NOOP:
+      return VK_LOGIC_OP_NO_OP;
+    case GL_XOR:
+      return VK_LOGIC_OP_XOR;
+    case GL_OR:
+      return VK_LOGIC_OP_OR;
+    case GL_NOR:
+      return VK_LOGIC_OP_NOR;
+    case GL_EQUIV:
+      return VK_LOGIC_OP_EQUIVALENT;
+    case GL_INVERT:
+      return VK_LOGIC_OP_INVERT;
+    case GL_OR_REVERSE:
+      return VK_LOGIC_OP_OR_REVERSE;
+    case GL_COPY_INVERTED:
+      return VK_LOGIC_OP_COPY_INVERTED;
+    case GL_OR_INVERTED:
+      return VK_LOGIC_OP_OR_INVERTED;
+    case GL_NAND:
+      return VK_LOGIC_OP_NAND;
+    case GL_SET:
+      return VK_LOGIC_OP_SET;
+    default:
+      return VK_LOGIC_OP_COPY;
   }
 }
 
@@ -125,12 +167,12 @@ void translateBlending(const render::FragmentOps& ops, const Target& target, con
   const bool multisample = ops.multisample && target.samples > 1;
   fixed.alphaToCoverage = multisample && ops.sampleAlphaToCoverage;
   fixed.alphaToOne = multisample && ops.sampleAlphaToOne && features.alphaToOne;
-  fixed.sampleMask = multisample ? sampleMask(ops, target.samples)
-                                 : static_cast<uint8_t>((1u << target.samples) - 1);
+  fixed.sampleMask =
+      multisample ? sampleMask(ops, target.samples) : static_cast<uint8_t>((1u << target.samples) - 1);
 }
 
-// Images hold GL's row 0 first, and Vulkan's window coordinates then are GL's: the sign of a polygon's area, which
-// the two define alike but for the direction of y, is turned.
+// Images hold GL's row 0 first, and Vulkan's window coordinates then are GL's: the sign of a polygon's area,
+// which the two define alike but for the direction of y, is turned.
 uint8_t frontFace(GLenum face, bool yDown) {
   return (face == GL_CCW) == yDown ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
 }
@@ -163,22 +205,26 @@ void translateRaster(const render::State& state, const Target& target, const Fea
   // Section 3.4.1: the width of lines that are not smooth is rounded.
   const bool rounded = !state.fixed.lineSmooth && target.samples == 1;
   const float width = rounded ? std::max(1.0f, std::round(raster.lineWidth)) : raster.lineWidth;
-  out.lineWidth = features.wideLines ? std::clamp(width, limits.lineWidthRange[0], limits.lineWidthRange[1]) : 1;
+  out.lineWidth =
+      features.wideLines ? std::clamp(width, limits.lineWidthRange[0], limits.lineWidthRange[1]) : 1;
 }
 
 bool translateViewport(const render::State& state, const Target& target, const VkPhysicalDeviceLimits& limits,
                        DrawState& out) {
   const render::Rect& v = state.viewport;
-  const render::Rect window = clipped(state.scissorTest ? state.scissor : render::Rect{0, 0, target.width, target.height}, target);
+  const render::Rect window =
+      clipped(state.scissorTest ? state.scissor : render::Rect{0, 0, target.width, target.height}, target);
   out.scissor = flipped(window, target);
   if (v.width <= 0 || v.height <= 0 || window.width <= 0 || window.height <= 0) return false;
   const float low = limits.viewportBoundsRange[0], high = limits.viewportBoundsRange[1];
-  const float width = std::min(static_cast<float>(v.width), static_cast<float>(limits.maxViewportDimensions[0]));
-  const float height = std::min(static_cast<float>(v.height), static_cast<float>(limits.maxViewportDimensions[1]));
+  const float width =
+      std::min(static_cast<float>(v.width), static_cast<float>(limits.maxViewportDimensions[0]));
+  const float height =
+      std::min(static_cast<float>(v.height), static_cast<float>(limits.maxViewportDimensions[1]));
   const float x = std::clamp(static_cast<float>(v.x), low, high - width);
   const float y = std::clamp(static_cast<float>(v.y), low, high - height);
-  out.viewport = {x, y, width, height, std::clamp(state.depthNear, 0.0f, 1.0f),
-                  std::clamp(state.depthFar, 0.0f, 1.0f)};
+  out.viewport = {
+      x, y, width, height, std::clamp(state.depthNear, 0.0f, 1.0f), std::clamp(state.depthFar, 0.0f, 1.0f)};
   if (target.yDown) {
     out.viewport.y = static_cast<float>(target.height) - y;
     out.viewport.height = -height;
@@ -190,13 +236,19 @@ bool translateViewport(const render::State& state, const Target& target, const V
 
 VkPrimitiveTopology topologyOf(GLenum mode) {
   switch (mode) {
-    case GL_POINTS: return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-    case GL_LINES: return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    case GL_POINTS:
+      return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+    case GL_LINES:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
     case GL_LINE_LOOP:
-    case GL_LINE_STRIP: return VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
-    case GL_TRIANGLE_STRIP: return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-    case GL_TRIANGLE_FAN: return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
-    default: return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    case GL_LINE_STRIP:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+    case GL_TRIANGLE_STRIP:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    case GL_TRIANGLE_FAN:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
+    default:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   }
 }
 
@@ -221,10 +273,9 @@ VkRect2D flipped(const render::Rect& rect, const Target& target) {
 uint8_t writeMask(const std::array<bool, 4>& mask, const Target& target) {
   if (!target.color) return 0;
   const bool alpha = render::info(target.color->desc().format).alpha != 0;
-  return static_cast<uint8_t>((mask[0] ? VK_COLOR_COMPONENT_R_BIT : 0) |
-                              (mask[1] ? VK_COLOR_COMPONENT_G_BIT : 0) |
-                              (mask[2] ? VK_COLOR_COMPONENT_B_BIT : 0) |
-                              (mask[3] && alpha ? VK_COLOR_COMPONENT_A_BIT : 0));
+  return static_cast<uint8_t>(
+      (mask[0] ? VK_COLOR_COMPONENT_R_BIT : 0) | (mask[1] ? VK_COLOR_COMPONENT_G_BIT : 0) |
+      (mask[2] ? VK_COLOR_COMPONENT_B_BIT : 0) | (mask[3] && alpha ? VK_COLOR_COMPONENT_A_BIT : 0));
 }
 
 DrawStateResult translate(const render::State& state, const Target& target, const Features& features,
@@ -242,8 +293,8 @@ DrawStateResult translate(const render::State& state, const Target& target, cons
 
 BakedState baked(const BakedState& state, const Features& features) {
   BakedState out = state;
-  const bool lines = state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ||
-                     state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+  const bool lines =
+      state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST || state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
   const bool points = state.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
   if (!lines) out.lineMode = 0;
   if (features.dynamicState1) {

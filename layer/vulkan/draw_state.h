@@ -1,4 +1,5 @@
-// Fixed-function raster and fragment state in Vulkan's terms, canonical: what cannot matter has one fixed value.
+// Fixed-function raster and fragment state in Vulkan's terms, canonical: what cannot matter has one fixed
+// value.
 #pragma once
 
 #include <volk.h>

@@ -106,8 +106,8 @@ void DeviceBuilder::readFeatures(Features& f) {
   f.alphaToOne = core.alphaToOne;
   f.dynamicRendering = chain_.dynamicRendering.dynamicRendering;
   f.dynamicState1 = chain_.dynamicState1.extendedDynamicState;
-  f.dynamicState2 = chain_.dynamicState2.extendedDynamicState2 &&
-                    chain_.dynamicState2.extendedDynamicState2LogicOp;
+  f.dynamicState2 =
+      chain_.dynamicState2.extendedDynamicState2 && chain_.dynamicState2.extendedDynamicState2LogicOp;
   const auto& three = chain_.dynamicState3;
   f.dynamicState3 = three.extendedDynamicState3AlphaToCoverageEnable &&
                     three.extendedDynamicState3LogicOpEnable && three.extendedDynamicState3ColorBlendEnable &&

@@ -20,9 +20,9 @@ struct Features {
 
   // Optional extensions, with the features of theirs that are used.
   bool dynamicRendering = false;
-  bool dynamicState1 = false;      // cull, front face, topology, depth and stencil tests
-  bool dynamicState2 = false;      // depth bias enable, logic op
-  bool dynamicState3 = false;      // blending, masks, multisampling, line mode
+  bool dynamicState1 = false;  // cull, front face, topology, depth and stencil tests
+  bool dynamicState2 = false;  // depth bias enable, logic op
+  bool dynamicState3 = false;  // blending, masks, multisampling, line mode
   bool dynamicVertexInput = false;
   bool pushDescriptors = false;
   bool provokingVertexLast = false;
@@ -35,7 +35,8 @@ struct Features {
   bool triangleFans = true;  // absent on layered devices of the portability subset
 };
 
-// Creates a device with every feature that the renderer knows how to use; with `minimal`, with none that is optional.
+// Creates a device with every feature that the renderer knows how to use; with `minimal`, with none that is
+// optional.
 VkResult createLogicalDevice(const Instance& instance, bool minimal, VkDevice& device, Features& features);
 
 }  // namespace anteroom::vulkan

@@ -103,7 +103,9 @@ void mapWords(const std::byte* in, int count, std::byte* out, Function function)
   }
 }
 
-constexpr uint32_t swapRedBlue(uint32_t v) { return (v & 0x0f0f) | (v >> 8 & 0xf0) | (v & 0xf0) << 8; }
+constexpr uint32_t swapRedBlue(uint32_t v) {
+  return (v & 0x0f0f) | (v >> 8 & 0xf0) | (v & 0xf0) << 8;
+}
 
 }  // namespace
 
@@ -142,10 +144,18 @@ void toStore(Format format, Conversion conversion, const std::byte* in, int coun
         out[3] = std::byte{255};
       }
       return;
-    case Conversion::RotateNibble: mapWords(in, count, out, [](uint32_t v) { return v >> 4 | v << 12; }); return;
-    case Conversion::SwapRedBlue: mapWords(in, count, out, swapRedBlue); return;
-    case Conversion::RotateBit: mapWords(in, count, out, [](uint32_t v) { return v >> 1 | v << 15; }); return;
-    case Conversion::Widen: render::toRgba8(format, in, count, out); return;
+    case Conversion::RotateNibble:
+      mapWords(in, count, out, [](uint32_t v) { return v >> 4 | v << 12; });
+      return;
+    case Conversion::SwapRedBlue:
+      mapWords(in, count, out, swapRedBlue);
+      return;
+    case Conversion::RotateBit:
+      mapWords(in, count, out, [](uint32_t v) { return v >> 1 | v << 15; });
+      return;
+    case Conversion::Widen:
+      render::toRgba8(format, in, count, out);
+      return;
   }
 }
 
@@ -157,10 +167,18 @@ void fromStore(Format format, Conversion conversion, const std::byte* in, int co
     case Conversion::AddAlpha:
       for (int i = 0; i < count; ++i, in += 4, out += 3) std::memcpy(out, in, 3);
       return;
-    case Conversion::RotateNibble: mapWords(in, count, out, [](uint32_t v) { return v << 4 | v >> 12; }); return;
-    case Conversion::SwapRedBlue: mapWords(in, count, out, swapRedBlue); return;
-    case Conversion::RotateBit: mapWords(in, count, out, [](uint32_t v) { return v << 1 | v >> 15; }); return;
-    case Conversion::Widen: render::fromRgba8(format, in, count, out); return;
+    case Conversion::RotateNibble:
+      mapWords(in, count, out, [](uint32_t v) { return v << 4 | v >> 12; });
+      return;
+    case Conversion::SwapRedBlue:
+      mapWords(in, count, out, swapRedBlue);
+      return;
+    case Conversion::RotateBit:
+      mapWords(in, count, out, [](uint32_t v) { return v << 1 | v >> 15; });
+      return;
+    case Conversion::Widen:
+      render::fromRgba8(format, in, count, out);
+      return;
   }
 }
 

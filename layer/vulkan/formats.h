@@ -16,11 +16,11 @@ struct Features;
 // How a texel in client memory becomes one in the store.
 enum class Conversion : uint8_t {
   None,
-  AddAlpha,       // three bytes to four, alpha 1
-  RotateNibble,   // RGBA4444 to ARGB4444
-  SwapRedBlue,    // RGBA4444 to BGRA4444
-  RotateBit,      // RGBA5551 to ARGB1555
-  Widen,          // any packed format to RGBA8: no device format holds it
+  AddAlpha,      // three bytes to four, alpha 1
+  RotateNibble,  // RGBA4444 to ARGB4444
+  SwapRedBlue,   // RGBA4444 to BGRA4444
+  RotateBit,     // RGBA5551 to ARGB1555
+  Widen,         // any packed format to RGBA8: no device format holds it
 };
 
 struct StoreFormat {
@@ -28,10 +28,10 @@ struct StoreFormat {
   VkImageAspectFlags aspects = VK_IMAGE_ASPECT_COLOR_BIT;
   VkComponentMapping swizzle{};  // for sampling
   Conversion conversion = Conversion::None;
-  uint8_t bytes = 0;             // a texel in the store
-  bool linear = false;           // may be sampled and rendered in LINEAR tiling
-  bool renderable = false;       // without loss
-  bool storesAlpha = false;      // the store has an alpha channel
+  uint8_t bytes = 0;         // a texel in the store
+  bool linear = false;       // may be sampled and rendered in LINEAR tiling
+  bool renderable = false;   // without loss
+  bool storesAlpha = false;  // the store has an alpha channel
 };
 using StoreFormats = std::array<StoreFormat, 16>;
 

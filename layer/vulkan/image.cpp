@@ -15,9 +15,12 @@ std::atomic<uint64_t> nextStoreId{1};
 
 VkImageViewType sampledType(render::Dimension dimension) {
   switch (dimension) {
-    case render::Dimension::Cube: return VK_IMAGE_VIEW_TYPE_CUBE;
-    case render::Dimension::Volume: return VK_IMAGE_VIEW_TYPE_3D;
-    default: return VK_IMAGE_VIEW_TYPE_2D;
+    case render::Dimension::Cube:
+      return VK_IMAGE_VIEW_TYPE_CUBE;
+    case render::Dimension::Volume:
+      return VK_IMAGE_VIEW_TYPE_3D;
+    default:
+      return VK_IMAGE_VIEW_TYPE_2D;
   }
 }
 
@@ -62,8 +65,8 @@ VkImageCreateInfo imageInfo(const render::ImageDesc& desc, const StoreFormat& fo
 
 bool fits(VkPhysicalDevice device, const VkImageCreateInfo& info) {
   VkImageFormatProperties limits;
-  return vkGetPhysicalDeviceImageFormatProperties(device, info.format, info.imageType, info.tiling, info.usage,
-                                                  info.flags, &limits) == VK_SUCCESS &&
+  return vkGetPhysicalDeviceImageFormatProperties(device, info.format, info.imageType, info.tiling,
+                                                  info.usage, info.flags, &limits) == VK_SUCCESS &&
          info.extent.width <= limits.maxExtent.width && info.extent.height <= limits.maxExtent.height &&
          info.extent.depth <= limits.maxExtent.depth && info.mipLevels <= limits.maxMipLevels &&
          info.arrayLayers <= limits.maxArrayLayers && (info.samples & limits.sampleCounts);
@@ -82,7 +85,8 @@ void readPlanes(ImageStore& store, const VkImageCreateInfo& info) {
     for (uint32_t layer = 0; layer < info.arrayLayers; ++layer) {
       const VkImageSubresource subresource{VK_IMAGE_ASPECT_COLOR_BIT, level, layer};
       VkSubresourceLayout layout;
-      store.device.fn().vkGetImageSubresourceLayout(store.device.handle(), store.image, &subresource, &layout);
+      store.device.fn().vkGetImageSubresourceLayout(store.device.handle(), store.image, &subresource,
+                                                    &layout);
       store.planes.push_back({layout.offset, layout.rowPitch, layout.depthPitch});
     }
 }
@@ -92,7 +96,8 @@ void readPlanes(ImageStore& store, const VkImageCreateInfo& info) {
 ImageStore::~ImageStore() {
   const auto& fn = device.fn();
   if (image) device.removeFreshImage(image);
-  for (const auto& held : legacyFramebuffers) fn.vkDestroyFramebuffer(device.handle(), held.framebuffer, nullptr);
+  for (const auto& held : legacyFramebuffers)
+    fn.vkDestroyFramebuffer(device.handle(), held.framebuffer, nullptr);
   for (const auto& held : attachmentViews) fn.vkDestroyImageView(device.handle(), held.view, nullptr);
   fn.vkDestroyImageView(device.handle(), view, nullptr);
   fn.vkDestroyImage(device.handle(), image, nullptr);

@@ -16,8 +16,8 @@ namespace anteroom::vulkan {
 
 class VulkanDevice;
 
-// One VkImage, always in layout GENERAL for the contexts. Recordings that use it hold a reference until they are
-// complete: it is idle when its image alone holds it.
+// One VkImage, always in layout GENERAL for the contexts. Recordings that use it hold a reference until they
+// are complete: it is idle when its image alone holds it.
 struct ImageStore {
   explicit ImageStore(VulkanDevice& owner) : device(owner) {}
   ~ImageStore();
@@ -50,17 +50,17 @@ struct ImageStore {
   VkImageAspectFlags aspects = 0;
   VkImageType type = VK_IMAGE_TYPE_2D;
   int layers = 1;
-  uint64_t id = 0;                  // never used twice in a process
-  std::byte* mapped = nullptr;      // LINEAR: the image's memory
-  std::vector<Plane> planes;        // LINEAR only
+  uint64_t id = 0;              // never used twice in a process
+  std::byte* mapped = nullptr;  // LINEAR: the image's memory
+  std::vector<Plane> planes;    // LINEAR only
   std::vector<AttachmentView> attachmentViews;
   std::vector<LegacyFramebuffer> legacyFramebuffers;
 
-  uint64_t recording = 0;   // the last recording that holds it
-  uint64_t readEpoch = 0;   // when it was last read and written by recorded commands
+  uint64_t recording = 0;  // the last recording that holds it
+  uint64_t readEpoch = 0;  // when it was last read and written by recorded commands
   uint64_t writeEpoch = 0;
-  uint64_t writtenIn = 0;   // the last recording that writes to it
-  bool written = false;     // by the device, since it was last known idle
+  uint64_t writtenIn = 0;            // the last recording that writes to it
+  bool written = false;              // by the device, since it was last known idle
   std::atomic<uint64_t> lastUse{0};  // the last submission that uses it
 };
 
@@ -106,6 +106,8 @@ class VulkanImage final : public render::Image {
   std::vector<std::shared_ptr<ImageStore>> spares_;  // former stores, to be used again when idle
 };
 
-inline VulkanImage& vulkan(render::Image& image) { return static_cast<VulkanImage&>(image); }
+inline VulkanImage& vulkan(render::Image& image) {
+  return static_cast<VulkanImage&>(image);
+}
 
 }  // namespace anteroom::vulkan

@@ -22,9 +22,12 @@ IndexRange scan(const std::byte* indices, uint32_t count) {
 
 IndexRange scanIndices(GLenum type, const std::byte* indices, uint32_t count) {
   switch (type) {
-    case GL_UNSIGNED_BYTE: return scan<uint8_t>(indices, count);
-    case GL_UNSIGNED_SHORT: return scan<uint16_t>(indices, count);
-    default: return scan<uint32_t>(indices, count);
+    case GL_UNSIGNED_BYTE:
+      return scan<uint8_t>(indices, count);
+    case GL_UNSIGNED_SHORT:
+      return scan<uint16_t>(indices, count);
+    default:
+      return scan<uint32_t>(indices, count);
   }
 }
 
@@ -43,13 +46,19 @@ uint32_t readIndex(GLenum type, const std::byte* indices, uint32_t i) {
 uint32_t expandedCount(GLenum mode, Expansion expansion, uint32_t count) {
   if (expansion == Expansion::LoopToStrip) return count < 2 ? 0 : count + 1;
   switch (mode) {
-    case GL_LINES: return count / 2 * 2;
-    case GL_LINE_STRIP: return count < 2 ? 0 : (count - 1) * 2;
-    case GL_LINE_LOOP: return count < 2 ? 0 : count * 2;
-    case GL_TRIANGLES: return count / 3 * 3;
+    case GL_LINES:
+      return count / 2 * 2;
+    case GL_LINE_STRIP:
+      return count < 2 ? 0 : (count - 1) * 2;
+    case GL_LINE_LOOP:
+      return count < 2 ? 0 : count * 2;
+    case GL_TRIANGLES:
+      return count / 3 * 3;
     case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN: return count < 3 ? 0 : (count - 2) * 3;
-    default: return count;
+    case GL_TRIANGLE_FAN:
+      return count < 3 ? 0 : (count - 2) * 3;
+    default:
+      return count;
   }
 }
 

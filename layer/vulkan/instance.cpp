@@ -13,7 +13,8 @@ namespace {
 std::mutex deviceMutex;
 std::atomic<unsigned> messageCount{0};
 
-// glslang decorates gl_Position, a member of gl_PerVertex, as SPIR-V allows; some versions of the layer warn of it.
+// glslang decorates gl_Position, a member of gl_PerVertex, as SPIR-V allows; some versions of the layer warn
+// of it.
 constexpr const char* kFalseAlarms[] = {"Decoration not allowed on struct members: SpvDecorationInvariant"};
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
@@ -40,11 +41,16 @@ bool hasLayer(const char* name) {
 
 int preference(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return 4;
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return 3;
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return 2;
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return 1;
-    default: return 0;
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return 4;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return 1;
+    default:
+      return 0;
   }
 }
 
@@ -63,8 +69,7 @@ bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std:
   vkEnumeratePhysicalDevices(instance.handle, &count, nullptr);
   std::vector<VkPhysicalDevice> devices(count);
   vkEnumeratePhysicalDevices(instance.handle, &count, devices.data());
-  const bool byIndex =
-      !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
+  const bool byIndex = !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
   int best = -1;
   std::string names;
   for (uint32_t i = 0; i < count; ++i) {
@@ -73,8 +78,7 @@ bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std:
     names += (names.empty() ? "" : ", ") + std::string(properties.deviceName);
     uint32_t family;
     if (properties.apiVersion < VK_API_VERSION_1_1 || !graphicsFamily(devices[i], family)) continue;
-    if (byIndex ? preferred != std::to_string(i)
-                : !std::strstr(properties.deviceName, preferred.c_str()))
+    if (byIndex ? preferred != std::to_string(i) : !std::strstr(properties.deviceName, preferred.c_str()))
       continue;
     if (preference(properties.deviceType) <= best) continue;
     best = preference(properties.deviceType);
@@ -103,10 +107,16 @@ void createMessenger(Instance& instance) {
 
 }  // namespace
 
-DeviceLock::DeviceLock() { deviceMutex.lock(); }
-DeviceLock::~DeviceLock() { deviceMutex.unlock(); }
+DeviceLock::DeviceLock() {
+  deviceMutex.lock();
+}
+DeviceLock::~DeviceLock() {
+  deviceMutex.unlock();
+}
 
-unsigned validationMessages() { return messageCount.load(std::memory_order_relaxed); }
+unsigned validationMessages() {
+  return messageCount.load(std::memory_order_relaxed);
+}
 
 bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error) {
   if (volkInitialize() != VK_SUCCESS) {

@@ -16,8 +16,8 @@ struct Instance {
   uint32_t queueFamily = 0;  // graphics
 };
 
-// Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False: `error`
-// says why and what to do. Instance functions are shared by the whole process: hold a DeviceLock.
+// Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:
+// `error` says why and what to do. Instance functions are shared by the whole process: hold a DeviceLock.
 bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error);
 void destroyInstance(Instance& instance);
 

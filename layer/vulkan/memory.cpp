@@ -92,7 +92,7 @@ Allocation MemoryPool::allocate(MemoryKind kind, MemoryUse use, const VkMemoryRe
   if (type < 0 || requirements.size == 0) return {};
   const std::lock_guard lock(mutex_);
   const auto piece = [&](MemoryBlock& block, VkDeviceSize offset) {
-    return Allocation{&block, block.memory, block.buffer,
+    return Allocation{&block, block.memory,      block.buffer,
                       offset, requirements.size, block.mapped ? block.mapped + offset : nullptr};
   };
   VkDeviceSize largest = kSmallestBlock / 2;

@@ -20,13 +20,18 @@ constexpr Field k4444[] = {{12, 4}, {8, 4}, {4, 4}, {0, 4}};
 // The components of a packed texel; empty: whole bytes.
 std::span<const Field> fieldsOf(VkFormat format) {
   switch (format) {
-    case VK_FORMAT_R5G6B5_UNORM_PACK16: return k565;
-    case VK_FORMAT_R5G5B5A1_UNORM_PACK16: return k5551;
-    case VK_FORMAT_A1R5G5B5_UNORM_PACK16: return k1555;
+    case VK_FORMAT_R5G6B5_UNORM_PACK16:
+      return k565;
+    case VK_FORMAT_R5G5B5A1_UNORM_PACK16:
+      return k5551;
+    case VK_FORMAT_A1R5G5B5_UNORM_PACK16:
+      return k1555;
     case VK_FORMAT_R4G4B4A4_UNORM_PACK16:
     case VK_FORMAT_B4G4R4A4_UNORM_PACK16:
-    case VK_FORMAT_A4R4G4B4_UNORM_PACK16_EXT: return k4444;
-    default: return {};
+    case VK_FORMAT_A4R4G4B4_UNORM_PACK16_EXT:
+      return k4444;
+    default:
+      return {};
   }
 }
 
@@ -68,11 +73,13 @@ void halve(const VulkanImage& image, ImageStore& store, int level, int layer) {
         for (int dz = 0; dz < (depth > 1 ? 2 : 1); ++dz)
           for (int dy = 0; dy < 2; ++dy)
             for (int dx = 0; dx < 2; ++dx)
-              texels[count++] = store.mapped + from.offset + std::min(2 * z + dz, depth - 1) * from.slicePitch +
+              texels[count++] = store.mapped + from.offset +
+                                std::min(2 * z + dz, depth - 1) * from.slicePitch +
                                 std::min(2 * y + dy, height - 1) * from.rowPitch +
                                 static_cast<size_t>(std::min(2 * x + dx, width - 1)) * bytes;
-        average(texels, count, bytes, fields,
-                store.mapped + to.offset + z * to.slicePitch + y * to.rowPitch + static_cast<size_t>(x) * bytes);
+        average(
+            texels, count, bytes, fields,
+            store.mapped + to.offset + z * to.slicePitch + y * to.rowPitch + static_cast<size_t>(x) * bytes);
       }
 }
 

@@ -131,8 +131,10 @@ bool PassEncoder::begin(const Target& target, bool withDepth) {
     if (here) pending.aspects = 0;
     commands_.write(target.depth->held());
   }
-  const VkImageView colorView = color ? color->attachmentView(target.colorLevel, target.colorLayer) : VK_NULL_HANDLE;
-  const VkImageView depthView = depth ? depth->attachmentView(target.depthLevel, target.depthLayer) : VK_NULL_HANDLE;
+  const VkImageView colorView =
+      color ? color->attachmentView(target.colorLevel, target.colorLayer) : VK_NULL_HANDLE;
+  const VkImageView depthView =
+      depth ? depth->attachmentView(target.depthLevel, target.depthLayer) : VK_NULL_HANDLE;
   if ((color && !colorView) || (depth && !depthView)) return false;
 
   target_ = target;

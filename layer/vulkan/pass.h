@@ -67,8 +67,8 @@ class PassEncoder {
  public:
   PassEncoder(VulkanDevice& device, CommandStream& commands) : device_(device), commands_(commands) {}
 
-  // Makes sure that a pass on `target` is open, with its depth and stencil when `withDepth`. Pending clears are done.
-  // False: out of memory.
+  // Makes sure that a pass on `target` is open, with its depth and stencil when `withDepth`. Pending clears
+  // are done. False: out of memory.
   bool require(const Target& target, bool withDepth);
   void end();
   bool active() const { return active_; }

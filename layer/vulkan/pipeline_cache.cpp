@@ -35,7 +35,8 @@ class PipelineBuilder {
   VkVertexInputBindingDescription bindings_[gen::kAttributeCount];
   VkVertexInputAttributeDescription attributes_[gen::kAttributeCount];
   VkPipelineVertexInputStateCreateInfo input_{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  VkPipelineInputAssemblyStateCreateInfo assembly_{VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
+  VkPipelineInputAssemblyStateCreateInfo assembly_{
+      VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
   VkPipelineViewportStateCreateInfo viewport_{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
   VkPipelineRasterizationStateCreateInfo raster_{VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
   VkPipelineRasterizationProvokingVertexStateCreateInfoEXT provoking_{
@@ -142,8 +143,7 @@ void PipelineBuilder::dynamicStates() {
          VK_DYNAMIC_STATE_FRONT_FACE_EXT, VK_DYNAMIC_STATE_DEPTH_TEST_ENABLE_EXT,
          VK_DYNAMIC_STATE_DEPTH_WRITE_ENABLE_EXT, VK_DYNAMIC_STATE_DEPTH_COMPARE_OP_EXT,
          VK_DYNAMIC_STATE_STENCIL_TEST_ENABLE_EXT, VK_DYNAMIC_STATE_STENCIL_OP_EXT});
-  if (features_.dynamicState2)
-    add({VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE_EXT, VK_DYNAMIC_STATE_LOGIC_OP_EXT});
+  if (features_.dynamicState2) add({VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE_EXT, VK_DYNAMIC_STATE_LOGIC_OP_EXT});
   if (features_.dynamicState3) {
     add({VK_DYNAMIC_STATE_LOGIC_OP_ENABLE_EXT, VK_DYNAMIC_STATE_COLOR_BLEND_ENABLE_EXT,
          VK_DYNAMIC_STATE_COLOR_BLEND_EQUATION_EXT, VK_DYNAMIC_STATE_COLOR_WRITE_MASK_EXT,
@@ -194,7 +194,9 @@ VkGraphicsPipelineCreateInfo PipelineBuilder::build(const Shader& vertex, const 
 
 }  // namespace
 
-size_t PipelineCache::Hash::operator()(const PipelineKey& key) const { return XXH3_64bits(&key, sizeof key); }
+size_t PipelineCache::Hash::operator()(const PipelineKey& key) const {
+  return XXH3_64bits(&key, sizeof key);
+}
 
 PipelineCache::~PipelineCache() {
   for (const auto& [key, pipeline] : pipelines_)
@@ -216,7 +218,8 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
   const VkResult result =
       device_.fn().vkCreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS) {
-    std::fprintf(stderr, "anteroom: a pipeline cannot be made (VkResult %d): check the Vulkan driver\n", result);
+    std::fprintf(stderr, "anteroom: a pipeline cannot be made (VkResult %d): check the Vulkan driver\n",
+                 result);
     return VK_NULL_HANDLE;
   }
   device_.countObject();

@@ -31,8 +31,8 @@ class RowReader {
 
 }  // namespace
 
-bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect, Format format,
-                               void* out, size_t rowPitch) {
+bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect,
+                               Format format, void* out, size_t rowPitch) {
   const Target target = targetOf(framebuffer);
   const render::Rect inside = clipped(rect, target);
   if (!target.color || inside.width <= 0 || inside.height <= 0) return true;
@@ -63,7 +63,8 @@ bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const ren
                              static_cast<uint32_t>(volume ? 0 : target.colorLayer), 1};
     copy.imageOffset = {area.offset.x, area.offset.y, volume ? target.colorLayer : 0};
     copy.imageExtent = {area.extent.width, area.extent.height, 1};
-    device_.fn().vkCmdCopyImageToBuffer(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, piece.buffer, 1, &copy);
+    device_.fn().vkCmdCopyImageToBuffer(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, piece.buffer, 1,
+                                        &copy);
     commands_.read(heldReadable(image));
     if (!submit() || !device_.timeline().wait(commands_.lastSubmitted(), UINT64_MAX)) return false;
     texels = piece.mapped;

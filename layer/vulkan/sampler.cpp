@@ -17,12 +17,15 @@ SamplerCache::~SamplerCache() {
 
 VkSamplerAddressMode SamplerCache::wrap(GLenum mode) const {
   switch (mode) {
-    case GL_CLAMP_TO_EDGE: return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    case GL_MIRRORED_REPEAT_OES: return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
+    case GL_CLAMP_TO_EDGE:
+      return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    case GL_MIRRORED_REPEAT_OES:
+      return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
     case kMirrorClampToEdge:
       return device_.features().mirrorClampToEdge ? VK_SAMPLER_ADDRESS_MODE_MIRROR_CLAMP_TO_EDGE
                                                   : VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    default: return VK_SAMPLER_ADDRESS_MODE_REPEAT;
+    default:
+      return VK_SAMPLER_ADDRESS_MODE_REPEAT;
   }
 }
 
@@ -34,7 +37,8 @@ SamplerCache::Key SamplerCache::canonical(const render::Sampler& s, int levels) 
   key.maxLevel = static_cast<uint16_t>(std::clamp(std::min(s.maxLevel, levels - 1), 0, 1000));
   key.mips = s.minFilter != GL_NEAREST && s.minFilter != GL_LINEAR && key.maxLevel > 0;
   if (!key.mips) key.maxLevel = 0;
-  key.mipLinear = key.mips && (s.minFilter == GL_NEAREST_MIPMAP_LINEAR || s.minFilter == GL_LINEAR_MIPMAP_LINEAR);
+  key.mipLinear =
+      key.mips && (s.minFilter == GL_NEAREST_MIPMAP_LINEAR || s.minFilter == GL_LINEAR_MIPMAP_LINEAR);
   key.wrap[0] = static_cast<uint8_t>(wrap(s.wrapS));
   key.wrap[1] = static_cast<uint8_t>(wrap(s.wrapT));
   key.wrap[2] = static_cast<uint8_t>(wrap(s.wrapR));

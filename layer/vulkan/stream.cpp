@@ -50,8 +50,7 @@ bool Stream::nextBlock(VkDeviceSize size) {
   Block block;
   const VkDeviceSize extra = purpose_ == Purpose::Constants ? kConstantRange : 0;
   const MemoryUse use = purpose_ == Purpose::ReadBack ? MemoryUse::ReadBack : MemoryUse::Upload;
-  block.memory =
-      device_.memory().allocateBuffer(use, std::max(blockSize_, std::bit_ceil(size)) + extra);
+  block.memory = device_.memory().allocateBuffer(use, std::max(blockSize_, std::bit_ceil(size)) + extra);
   if (!block.memory) return false;
   if (purpose_ == Purpose::Constants) {
     block.constants = device_.allocateConstantSet(block.memory.buffer);

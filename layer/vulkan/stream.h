@@ -1,5 +1,5 @@
-// Memory for what lives one submission: vertices, indices, constants, texels on their way. Mapped for good, and used
-// again as soon as the submissions that read it are complete.
+// Memory for what lives one submission: vertices, indices, constants, texels on their way. Mapped for good,
+// and used again as soon as the submissions that read it are complete.
 #pragma once
 
 #include <volk.h>
@@ -40,7 +40,7 @@ class Stream {
     Allocation memory;
     VkDescriptorSet constants = VK_NULL_HANDLE;
     VkDeviceSize head = 0;
-    uint64_t serial = 0;    // of the last submission that reads it
+    uint64_t serial = 0;     // of the last submission that reads it
     bool recording = false;  // used since the last submission
   };
 

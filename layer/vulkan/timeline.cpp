@@ -3,13 +3,27 @@
 #include "layer/vulkan/device.h"
 
 namespace anteroom::vulkan {
+namespace {
 
-Timeline::Fence::~Fence() { device.fn().vkDestroyFence(device.handle(), handle, nullptr); }
+// Submissions that are in flight at a time, with a few contexts.
+constexpr size_t kUsualFences = 16;
 
-Timeline::~Timeline() { device_.fn().vkDestroySemaphore(device_.handle(), semaphore_, nullptr); }
+}  // namespace
+
+Timeline::Fence::~Fence() {
+  device.fn().vkDestroyFence(device.handle(), handle, nullptr);
+}
+
+Timeline::~Timeline() {
+  device_.fn().vkDestroySemaphore(device_.handle(), semaphore_, nullptr);
+}
 
 bool Timeline::initialise() {
-  if (!device_.features().timelineSemaphore) return true;
+  if (!device_.features().timelineSemaphore) {
+    pending_.reserve(kUsualFences);
+    idle_.reserve(kUsualFences);
+    return true;
+  }
   VkSemaphoreTypeCreateInfoKHR type{VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO_KHR};
   type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE_KHR;
   VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &type, 0};
@@ -41,7 +55,7 @@ void Timeline::retireFences() {
          device_.fn().vkGetFenceStatus(device_.handle(), pending_.front().fence->handle) == VK_SUCCESS) {
     completed_.store(pending_.front().serial, std::memory_order_release);
     idle_.push_back(std::move(pending_.front().fence));
-    pending_.pop_front();
+    pending_.erase(pending_.begin());
   }
 }
 

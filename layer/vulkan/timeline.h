@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -22,8 +21,8 @@ class Timeline {
   ~Timeline();
   bool initialise();
 
-  // Submits `main`. The first layouts of new images are recorded into `fresh` before, which is left out when there
-  // are none. Returns the number; 0: the device is lost or out of memory.
+  // Submits `main`. The first layouts of new images are recorded into `fresh` before, which is left out when
+  // there are none. Returns the number; 0: the device is lost or out of memory.
   uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main);
 
   // The number of the last submission that is complete.
@@ -56,7 +55,7 @@ class Timeline {
   std::vector<FreshImage> fresh_;
   std::vector<VkImageMemoryBarrier> barriers_;
   std::mutex fenceMutex_;
-  std::deque<Pending> pending_;
+  std::vector<Pending> pending_;  // the oldest first; few
   std::vector<std::shared_ptr<Fence>> idle_;
 };
 

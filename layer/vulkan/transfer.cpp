@@ -62,8 +62,8 @@ const std::shared_ptr<ImageStore>& VulkanContext::heldReadable(VulkanImage& imag
   return image.desc().samples == 1 ? image.held() : image.heldResolved();
 }
 
-// A mapped store that nothing uses, with the image's contents unless they are about to be overwritten as a whole:
-// its own, or a new version. Null: the image must be written by commands, or memory is short.
+// A mapped store that nothing uses, with the image's contents unless they are about to be overwritten as a
+// whole: its own, or a new version. Null: the image must be written by commands, or memory is short.
 ImageStore* VulkanContext::writableMapped(VulkanImage& image, bool whole) {
   ImageStore* store = image.store(whole);
   if (!store || !store->mapped) return nullptr;
@@ -81,8 +81,8 @@ ImageStore* VulkanContext::writableMapped(VulkanImage& image, bool whole) {
   return store;
 }
 
-bool VulkanContext::upload(render::Image& target, const render::Region& region, const void* data, size_t rowPitch,
-                           size_t slicePitch) {
+bool VulkanContext::upload(render::Image& target, const render::Region& region, const void* data,
+                           size_t rowPitch, size_t slicePitch) {
   VulkanImage& image = vulkan(target);
   if (region.width <= 0 || region.height <= 0 || region.depth <= 0) return true;
   const bool whole = isWhole(image, region);
@@ -131,7 +131,8 @@ bool VulkanContext::uploadStaged(VulkanImage& image, const render::Region& regio
   copy.imageOffset = {region.x, region.y, region.z};
   copy.imageExtent = {static_cast<uint32_t>(region.width), static_cast<uint32_t>(region.height),
                       static_cast<uint32_t>(region.depth)};
-  device_.fn().vkCmdCopyBufferToImage(commands, piece.buffer, store->image, VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
+  device_.fn().vkCmdCopyBufferToImage(commands, piece.buffer, store->image, VK_IMAGE_LAYOUT_GENERAL, 1,
+                                      &copy);
   commands_.write(image.held());
   return true;
 }
@@ -181,8 +182,8 @@ bool VulkanContext::copyOnDevice(VulkanImage& image, const render::Region& regio
   blit.srcOffsets[1] = {x + region.width, high, slice + 1};
   blit.dstOffsets[0] = {region.x, region.y, region.z};
   blit.dstOffsets[1] = {region.x + region.width, region.y + region.height, region.z + 1};
-  device_.fn().vkCmdBlitImage(commands, in->image, VK_IMAGE_LAYOUT_GENERAL, out->image, VK_IMAGE_LAYOUT_GENERAL,
-                              1, &blit, VK_FILTER_NEAREST);
+  device_.fn().vkCmdBlitImage(commands, in->image, VK_IMAGE_LAYOUT_GENERAL, out->image,
+                              VK_IMAGE_LAYOUT_GENERAL, 1, &blit, VK_FILTER_NEAREST);
   commands_.read(heldReadable(from));
   commands_.write(image.held());
   if (image.format().conversion == Conversion::AddAlpha && from.format().conversion != Conversion::AddAlpha)
@@ -211,9 +212,11 @@ bool VulkanContext::copyLevel(render::Image& target, int level, render::Image& o
   ImageStore* const in = readable(source);
   if (!in) return false;
   const int layers = image.desc().dimension == render::Dimension::Cube ? 6 : 1;
-  const int width = image.levelWidth(level), height = image.levelHeight(level), depth = image.levelDepth(level);
+  const int width = image.levelWidth(level), height = image.levelHeight(level),
+            depth = image.levelDepth(level);
   // Texels that the device does not write are copied by hand.
-  ImageStore* const mapped = in->mapped && !in->written && &image != &source ? writableMapped(image, false) : nullptr;
+  ImageStore* const mapped =
+      in->mapped && !in->written && &image != &source ? writableMapped(image, false) : nullptr;
   if (mapped) {
     for (int layer = 0; layer < layers; ++layer) {
       const ImageStore::Plane& from = in->plane(sourceLevel, layer);
@@ -236,8 +239,8 @@ bool VulkanContext::copyLevel(render::Image& target, int level, render::Image& o
   copy.dstSubresource = layersOf(level, 0);
   copy.srcSubresource.layerCount = copy.dstSubresource.layerCount = static_cast<uint32_t>(layers);
   copy.extent = {static_cast<uint32_t>(width), static_cast<uint32_t>(height), static_cast<uint32_t>(depth)};
-  device_.fn().vkCmdCopyImage(commands, in->image, VK_IMAGE_LAYOUT_GENERAL, out->image, VK_IMAGE_LAYOUT_GENERAL, 1,
-                              &copy);
+  device_.fn().vkCmdCopyImage(commands, in->image, VK_IMAGE_LAYOUT_GENERAL, out->image,
+                              VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
   commands_.read(heldReadable(source));
   commands_.write(image.held());
   return true;

@@ -15,24 +15,29 @@ struct Formats {
 };
 constexpr Formats kFloat{{VK_FORMAT_R32_SFLOAT, VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
                           VK_FORMAT_R32G32B32A32_SFLOAT}};
-constexpr Formats kFixed{{VK_FORMAT_R32_SINT, VK_FORMAT_R32G32_SINT, VK_FORMAT_R32G32B32_SINT,
-                          VK_FORMAT_R32G32B32A32_SINT}};
-constexpr Formats kByte{{VK_FORMAT_R8_SINT, VK_FORMAT_R8G8_SINT, VK_FORMAT_R8G8B8_SINT,
-                         VK_FORMAT_R8G8B8A8_SINT}};
-constexpr Formats kUbyte{{VK_FORMAT_R8_UINT, VK_FORMAT_R8G8_UINT, VK_FORMAT_R8G8B8_UINT,
-                          VK_FORMAT_R8G8B8A8_UINT}};
-constexpr Formats kUnorm{{VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8_UNORM,
-                          VK_FORMAT_R8G8B8A8_UNORM}};
-constexpr Formats kShort{{VK_FORMAT_R16_SINT, VK_FORMAT_R16G16_SINT, VK_FORMAT_R16G16B16_SINT,
-                          VK_FORMAT_R16G16B16A16_SINT}};
+constexpr Formats kFixed{
+    {VK_FORMAT_R32_SINT, VK_FORMAT_R32G32_SINT, VK_FORMAT_R32G32B32_SINT, VK_FORMAT_R32G32B32A32_SINT}};
+constexpr Formats kByte{
+    {VK_FORMAT_R8_SINT, VK_FORMAT_R8G8_SINT, VK_FORMAT_R8G8B8_SINT, VK_FORMAT_R8G8B8A8_SINT}};
+constexpr Formats kUbyte{
+    {VK_FORMAT_R8_UINT, VK_FORMAT_R8G8_UINT, VK_FORMAT_R8G8B8_UINT, VK_FORMAT_R8G8B8A8_UINT}};
+constexpr Formats kUnorm{
+    {VK_FORMAT_R8_UNORM, VK_FORMAT_R8G8_UNORM, VK_FORMAT_R8G8B8_UNORM, VK_FORMAT_R8G8B8A8_UNORM}};
+constexpr Formats kShort{
+    {VK_FORMAT_R16_SINT, VK_FORMAT_R16G16_SINT, VK_FORMAT_R16G16B16_SINT, VK_FORMAT_R16G16B16A16_SINT}};
 
 const Formats& formatsOf(GLenum type, gen::InputClass input) {
   switch (type) {
-    case GL_BYTE: return kByte;
-    case GL_UNSIGNED_BYTE: return input == gen::InputClass::Float ? kUnorm : kUbyte;
-    case GL_SHORT: return kShort;
-    case GL_FIXED: return kFixed;
-    default: return kFloat;
+    case GL_BYTE:
+      return kByte;
+    case GL_UNSIGNED_BYTE:
+      return input == gen::InputClass::Float ? kUnorm : kUbyte;
+    case GL_SHORT:
+      return kShort;
+    case GL_FIXED:
+      return kFixed;
+    default:
+      return kFloat;
   }
 }
 
@@ -49,10 +54,14 @@ void copyElements(const std::byte* from, size_t fromStride, std::byte* to, size_
 void copyElements(uint32_t bytes, const std::byte* from, size_t fromStride, std::byte* to, size_t toStride,
                   uint32_t count) {
   switch (bytes) {
-    case 4: return copyElements<4>(from, fromStride, to, toStride, count);
-    case 8: return copyElements<8>(from, fromStride, to, toStride, count);
-    case 12: return copyElements<12>(from, fromStride, to, toStride, count);
-    case 16: return copyElements<16>(from, fromStride, to, toStride, count);
+    case 4:
+      return copyElements<4>(from, fromStride, to, toStride, count);
+    case 8:
+      return copyElements<8>(from, fromStride, to, toStride, count);
+    case 12:
+      return copyElements<12>(from, fromStride, to, toStride, count);
+    case 16:
+      return copyElements<16>(from, fromStride, to, toStride, count);
     default:
       for (uint32_t i = 0; i < count; ++i) std::memcpy(to + i * toStride, from + i * fromStride, bytes);
   }
@@ -108,7 +117,8 @@ void VertexFetch::configure(const render::State& state, const gen::VertexKey& ke
   layout_ = {};
   layout_.count = count_;
   for (uint32_t i = 0; i < count_; ++i)
-    layout_.arrays[i] = {sources_[i].attribute, static_cast<uint32_t>(sources_[i].format), sources_[i].stride};
+    layout_.arrays[i] = {sources_[i].attribute, static_cast<uint32_t>(sources_[i].format),
+                         sources_[i].stride};
 }
 
 bool VertexFetch::inside(uint64_t end) const {

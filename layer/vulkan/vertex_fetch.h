@@ -1,5 +1,5 @@
-// Vertex arrays: buffer objects are bound in place where the device can read them so; all else is gathered, once, into
-// a stream, interleaved and only the range that is used.
+// Vertex arrays: buffer objects are bound in place where the device can read them so; all else is gathered,
+// once, into a stream, interleaved and only the range that is used.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ class VertexFetch {
 
   // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
   bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
-  // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies outside
-  // a buffer is zero.
+  // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies
+  // outside a buffer is zero.
   bool fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, Stream& stream,
                  CommandStream& commands);
 
@@ -44,10 +44,10 @@ class VertexFetch {
   struct Source {
     gen::Attribute attribute;
     VkFormat format;
-    uint32_t bytes;       // of an element in memory
-    uint32_t component;   // bytes of a component
+    uint32_t bytes;      // of an element in memory
+    uint32_t component;  // bytes of a component
     uint32_t stride;
-    VulkanBuffer* buffer;  // null: client memory
+    VulkanBuffer* buffer;      // null: client memory
     const std::byte* pointer;  // client memory
     size_t offset;             // in the buffer
     uint64_t limit;            // elements that lie inside the buffer
@@ -63,15 +63,15 @@ class VertexFetch {
 
   Source source(const render::State& state, const gen::VertexKey& key, gen::Attribute attribute) const;
   VkFormat supported(VkFormat three, VkFormat four) const;
-  std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream, const CommandStream& commands,
-                     uint32_t& base);
+  std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream,
+                     const CommandStream& commands, uint32_t& base);
   uint32_t placeGathered(uint32_t mask);
   void bindArena(uint32_t mask, uint32_t stride);
 
   VulkanDevice& device_;
   std::array<Source, gen::kAttributeCount> sources_{};
   uint32_t count_ = 0;
-  uint32_t gathered_ = 0;  // bit i: source i is always gathered
+  uint32_t gathered_ = 0;                               // bit i: source i is always gathered
   std::array<uint32_t, gen::kAttributeCount> place_{};  // in a gathered vertex
   Arena arena_;
   VertexLayout layout_;

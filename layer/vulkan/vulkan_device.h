@@ -9,9 +9,9 @@
 namespace anteroom::vulkan {
 
 struct DeviceOptions {
-  std::string preferred;       // part of a device name, or an index; empty: the best there is
-  bool validation = false;     // the Khronos layer; every message is logged, and counted
-  bool minimal = false;        // pretend that the device has only Vulkan 1.1 and no optional extension
+  std::string preferred;    // part of a device name, or an index; empty: the best there is
+  bool validation = false;  // the Khronos layer; every message is logged, and counted
+  bool minimal = false;     // pretend that the device has only Vulkan 1.1 and no optional extension
 };
 
 // Null: no usable Vulkan device; `error` then says why and what to do.

@@ -140,7 +140,8 @@ TEST_P(Draw, BlendAndLogicOp) {
   scene.color(0, 1, 0);
   scene.cover();
   EXPECT_EQ(scene.at(5, 5), (Pixel{255, 255, 0, 255}));
-  for (const auto& [op, blue] : {std::pair{GL_XOR, 0xf0}, std::pair{GL_COPY, 0x0f}, std::pair{GL_XOR, 0xf0}}) {
+  for (const auto& [op, blue] :
+       {std::pair{GL_XOR, 0xf0}, std::pair{GL_COPY, 0x0f}, std::pair{GL_XOR, 0xf0}}) {
     scene.state.ops.logicOpEnabled = false;
     scene.state.dirty |= gen::kGroupFragmentOps;
     scene.clear(GL_COLOR_BUFFER_BIT, 0, 0, 1);
@@ -168,7 +169,8 @@ TEST_P(Draw, FramebufferWithoutAlphaReadsAsOpaque) {
 }
 
 TEST_P(Draw, PolygonOffsetLiftsByTheSmallestDifference) {
-  for (const auto depth : {render::Format::Depth16, render::Format::Depth24, render::Format::Depth24Stencil8}) {
+  for (const auto depth :
+       {render::Format::Depth16, render::Format::Depth24, render::Format::Depth24Stencil8}) {
     Scene scene(GetParam(), 16, 16, render::Format::RGBA8, depth);
     scene.state.ops.depthTest = true;
     scene.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -247,8 +249,7 @@ TEST_P(Draw, LineLoopsAreClosed) {
   EXPECT_NEAR(lit, 32, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, Draw, testing::Values(false, true),
-                         profileName);
+INSTANTIATE_TEST_SUITE_P(Profiles, Draw, testing::Values(false, true), profileName);
 
 }  // namespace
 }  // namespace anteroom::test

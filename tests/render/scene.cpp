@@ -27,7 +27,8 @@ render::Device& device(bool minimal, bool validation) {
   return *held;
 }
 
-Scene::Scene(bool minimal, int width, int height, render::Format color, render::Format depthStencil, int samples)
+Scene::Scene(bool minimal, int width, int height, render::Format color, render::Format depthStencil,
+             int samples)
     : Scene(test::device(minimal), width, height, color, depthStencil, samples) {}
 
 Scene::Scene(render::Device& on, int width, int height, render::Format color, render::Format depthStencil,
@@ -75,7 +76,7 @@ void Scene::color(float r, float g, float b, float a) {
 }
 
 void Scene::draw(GLenum mode, int count, int first) {
-  const auto primitive = mode == GL_POINTS                          ? gen::PrimitiveClass::Points
+  const auto primitive = mode == GL_POINTS                           ? gen::PrimitiveClass::Points
                          : mode >= GL_LINES && mode <= GL_LINE_STRIP ? gen::PrimitiveClass::Lines
                                                                      : gen::PrimitiveClass::Triangles;
   if (primitive != state.fixed.primitive) state.dirty |= gen::kGroupPrimitive;

@@ -13,8 +13,12 @@ thread_local uint64_t allocations = 0;
   if (void* memory = std::malloc(size ? size : 1)) return memory;
   throw std::bad_alloc();
 }
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, size_t) noexcept {
+  std::free(memory);
+}
 
 namespace anteroom::test {
 namespace {
@@ -59,8 +63,7 @@ TEST_P(Steady, FramesAllocateNothing) {
   EXPECT_EQ(after.renderPasses - before.renderPasses, 100u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, Steady, testing::Values(false, true),
-                         profileName);
+INSTANTIATE_TEST_SUITE_P(Profiles, Steady, testing::Values(false, true), profileName);
 
 }  // namespace
 }  // namespace anteroom::test

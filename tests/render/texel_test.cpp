@@ -26,7 +26,7 @@ const Sample kSamples[] = {
     {Format::RGBA8, GL_RGBA, {10, 20, 30, 40}, {10, 20, 30, 40}},
     {Format::RGB565, GL_RGB, {0x1f, 0xf8}, {255, 0, 255, 255}},
     {Format::RGBA4444, GL_RGBA, {0x34, 0x12}, {0x11, 0x22, 0x33, 0x44}},
-    {Format::RGBA5551, GL_RGBA, {0xc1, 0xf8}, {255, 24, 0, 255}},
+    {Format::RGBA5551, GL_RGBA, {0xc1, 0x07}, {0, 255, 0, 255}},
 };
 
 std::shared_ptr<render::Image> image(Scene& scene, Format format, int size = 4, int levels = 1,
@@ -40,7 +40,8 @@ std::shared_ptr<render::Image> image(Scene& scene, Format format, int size = 4, 
   return scene.device.createImage(desc);
 }
 
-void fill(Scene& scene, render::Image& image, const std::vector<uint8_t>& texel, int level = 0, int layer = 0) {
+void fill(Scene& scene, render::Image& image, const std::vector<uint8_t>& texel, int level = 0,
+          int layer = 0) {
   const int size = std::max(1, image.desc().width >> level);
   const int depth = std::max(1, image.desc().depth >> level);
   std::vector<uint8_t> texels;
@@ -110,12 +111,14 @@ TEST_P(Texels, RenderableFormatsHoldEveryValue) {
     ASSERT_TRUE(GetParam() || scene.device.caps().renderable[static_cast<int>(format)]);
     if (!scene.device.caps().renderable[static_cast<int>(format)]) continue;
     Scene small(GetParam(), 4, 4, format, Format::None);
-    const float green = format == Format::RGBA4444 ? 7 / 15.0f : format == Format::RGB565 ? 31 / 63.0f : 9 / 31.0f;
+    const float green = format == Format::RGBA4444 ? 7 / 15.0f
+                        : format == Format::RGB565 ? 31 / 63.0f
+                                                   : 9 / 31.0f;
     small.color(1, green, 0, 1);
     small.cover();
     uint16_t texel = 0;
     ASSERT_TRUE(small.context->readPixels(small.state.framebuffer, {0, 0, 1, 1}, format, &texel, 2));
-    EXPECT_EQ(texel, format == Format::RGBA4444   ? 0xf70f
+    EXPECT_EQ(texel, format == Format::RGBA4444 ? 0xf70f
                      : format == Format::RGB565 ? 0xf800 | 31 << 5
                                                 : 0xf800 | 9 << 6 | 1);
   }
@@ -208,9 +211,9 @@ TEST_P(Texels, CopiesFromTheFramebuffer) {
                                                      scene.state.framebuffer, 0, 0));
       Scene other(GetParam());
       other.context = std::move(scene.context);
-      const GLenum base = format == Format::A8     ? GL_ALPHA
-                          : format == Format::L8   ? GL_LUMINANCE
-                          : format == Format::LA8  ? GL_LUMINANCE_ALPHA
+      const GLenum base = format == Format::A8      ? GL_ALPHA
+                          : format == Format::L8    ? GL_LUMINANCE
+                          : format == Format::LA8   ? GL_LUMINANCE_ALPHA
                           : format == Format::RGBA8 ? GL_RGBA
                                                     : GL_RGB;
       bind(other, *texture, base);
@@ -231,13 +234,14 @@ TEST_P(Texels, CopiesOutsideTheFramebufferLeaveTexelsAlone) {
   scene.clear(GL_COLOR_BUFFER_BIT, 0, 1, 0);
   const auto texture = image(scene, Format::RGBA8, 16);
   fill(scene, *texture, {255, 0, 0, 255});
-  ASSERT_TRUE(scene.context->copyFromFramebuffer(*texture, {0, 0, 0, 0, 0, 16, 16, 1}, scene.state.framebuffer, -8,
-                                                 2147483647 - 20));
-  ASSERT_TRUE(
-      scene.context->copyFromFramebuffer(*texture, {0, 0, 0, 0, 0, 16, 16, 1}, scene.state.framebuffer, -8, 4));
+  ASSERT_TRUE(scene.context->copyFromFramebuffer(*texture, {0, 0, 0, 0, 0, 16, 16, 1},
+                                                 scene.state.framebuffer, -8, 2147483647 - 20));
+  ASSERT_TRUE(scene.context->copyFromFramebuffer(*texture, {0, 0, 0, 0, 0, 16, 16, 1},
+                                                 scene.state.framebuffer, -8, 4));
   Pixel pixel;
   const auto at = [&](int x, int y) {
-    EXPECT_TRUE(scene.context->readPixels(framebufferOf(texture), {x, y, 1, 1}, Format::RGBA8, pixel.data(), 4));
+    EXPECT_TRUE(
+        scene.context->readPixels(framebufferOf(texture), {x, y, 1, 1}, Format::RGBA8, pixel.data(), 4));
     return pixel;
   };
   EXPECT_EQ(at(4, 4), (Pixel{255, 0, 0, 255}));
@@ -268,7 +272,8 @@ TEST_P(Texels, MipmapsAreMeans) {
 TEST_P(Texels, CubesAndVolumes) {
   Scene scene(GetParam());
   const auto cube = image(scene, Format::RGBA8, 4, 1, render::Dimension::Cube);
-  for (int face = 0; face < 6; ++face) fill(scene, *cube, {static_cast<uint8_t>(face * 40), 0, 0, 255}, 0, face);
+  for (int face = 0; face < 6; ++face)
+    fill(scene, *cube, {static_cast<uint8_t>(face * 40), 0, 0, 255}, 0, face);
   bind(scene, *cube, GL_RGBA);
   const glm::vec3 directions[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   for (int face = 0; face < 6; ++face) {
@@ -287,7 +292,8 @@ TEST_P(Texels, ReadsHangOverTheEdge) {
   Scene scene(GetParam());
   scene.clear(GL_COLOR_BUFFER_BIT, 0, 1, 0);
   std::vector<Pixel> pixels(16, Pixel{9, 9, 9, 9});
-  ASSERT_TRUE(scene.context->readPixels(scene.state.framebuffer, {-2, 14, 4, 4}, Format::RGBA8, pixels.data(), 16));
+  ASSERT_TRUE(
+      scene.context->readPixels(scene.state.framebuffer, {-2, 14, 4, 4}, Format::RGBA8, pixels.data(), 16));
   EXPECT_EQ(pixels[0], (Pixel{9, 9, 9, 9}));
   EXPECT_EQ(pixels[2], (Pixel{0, 255, 0, 255}));
   EXPECT_EQ(pixels[15], (Pixel{9, 9, 9, 9}));
