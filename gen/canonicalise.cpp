@@ -196,6 +196,7 @@ VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, co
     key.twoSided = fragment.twoSided;
   }
   key.fog = fragment.fog != FogMode::None;
+  key.fogW = state.attributes[kPosition].array && state.attributes[kPosition].size == 4;
   key.clipPlanes = profile.clipDistance ? enabledPlanes(state) : fragment.discardPlanes;
   key.clipVaryings = !profile.clipDistance;
   translatePoints(state, fragment, profile, key);

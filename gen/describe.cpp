@@ -69,6 +69,7 @@ void visitVertex(Key& key, Visit visit) {
   number("spot", key.spot, 255);
   number("spot-exponent", key.spotExponent, 255);
   number("fog", key.fog, 1);
+  number("fog-w", key.fogW, 1);
   number("clip", key.clipPlanes, kMaxClipPlanes);
   number("clip-varyings", key.clipVaryings, 1);
   words("point-size", key.pointSize, kPointSizeWords);

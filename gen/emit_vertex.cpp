@@ -258,7 +258,12 @@ void writeEye(const VertexKey& key, Shader& shader) {
 void writeFogDepth(const VertexKey& key, Shader& shader) {
   if (!key.fog) return;
   shader.declareLine("layout(location = {}) out float fogDepth;", kFogDepthLocation);
-  shader.line("fogDepth = {};", needsEye(key) ? "eye.z" : "dot(eyeDepth, position)");
+  if (needsEye(key))
+    shader.line("fogDepth = point.z;");
+  else if (key.fogW)
+    shader.line("fogDepth = {}(position * eyeDepth);", shader.call("dividedDepth"));
+  else
+    shader.line("fogDepth = dot(eyeDepth, position);");
 }
 
 }  // namespace

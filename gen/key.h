@@ -122,6 +122,7 @@ struct VertexKey {
   uint8_t spot;          // ... has a cone
   uint8_t spotExponent;  // ... whose exponent is not 0
   uint8_t fog;           // 0, 1: the distance is written
+  uint8_t fogW;          // 0, 1: and divided by the eye's w, as positions have one
   uint8_t clipPlanes;    // 0-8
   uint8_t clipVaryings;  // 0, 1: clip distances go to the fragment stage instead of the clipper
   PointSize pointSize;
@@ -135,7 +136,7 @@ static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_cop
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
 static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 7);
-static_assert(sizeof(VertexKey) == kAttributeCount + 18 + 4 * kMaxTextureUnits);
+static_assert(sizeof(VertexKey) == kAttributeCount + 19 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {
   return !std::memcmp(&a, &b, sizeof a);

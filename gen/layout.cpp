@@ -90,7 +90,7 @@ Placement place(const VertexKey& key) {
   };
   const bool eye = needsEye(key);
   p.color = key.fetch[kColor] == Fetch::Constant && fits(16);
-  p.eyeDepth = key.fog && !eye && fits(16);
+  p.eyeDepth = key.fog && !eye && fits(key.fogW ? 32 : 16);
   p.modelviewInPush = eye && fits(64);
   p.modelviewInBlock = eye && !p.modelviewInPush;
   const bool normal = key.fetch[kNormal] != Fetch::Unread && key.fetch[kNormal] != Fetch::Constant;
@@ -121,7 +121,10 @@ void visitPush(const VertexKey& key, Visit visit) {
   else if (p.color)
     visit({Type::Vec4, "color", -1, "", kGroupCurrentColor,
            [](const State& s, int, float* out) { put(out, glm::dvec4(s.attributes[kColor].current)); }});
-  if (p.eyeDepth)
+  if (p.eyeDepth && key.fogW)
+    visit({Type::Mat2x4, "eyeDepth", -1, "", kGroupModelview,
+           [](const State& s, int, float* out) { putRows(out, s.modelview, 2, 3); }});
+  else if (p.eyeDepth)
     visit({Type::Vec4, "eyeDepth", -1, "", kGroupModelview,
            [](const State& s, int, float* out) { put(out, row(s.modelview, 2)); }});
   if (p.modelviewInPush) visit(kModelview);
@@ -296,8 +299,10 @@ void visitFog(FogMode mode, Visit visit) {
          [](const State& s, int, float* out) { put(out, clampUnit(s.fog.color)); }});
   switch (mode) {
     case FogMode::Linear:
-      visit({Type::Float, "fogEnd", -1, "", kGroupFog,
-             [](const State& s, int, float* out) { *out = s.fog.end; }});
+      visit({Type::Float, "fogEnd", -1, "", kGroupFog, [](const State& s, int, float* out) {
+               const bool step = s.fog.start == s.fog.end;  // the distance itself is still clear
+               *out = step ? std::max(std::nextafter(s.fog.end, HUGE_VALF), s.fog.end + 1e-30f) : s.fog.end;
+             }});
       // start = end: so steep that it is a step.
       visit({Type::Float, "fogScale", -1, "", kGroupFog, [](const State& s, int, float* out) {
                const double width = static_cast<double>(s.fog.end) - s.fog.start;

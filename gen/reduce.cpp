@@ -141,6 +141,7 @@ void reduce(VertexKey& key) {
     key.pointAttenuation = key.pointRound = 0;
     key.fetch[kPointSize] = Fetch::Unread;
   }
+  if (!key.fog || needsEye(key)) key.fogW = 0;
   if (key.clipPlanes == 0) key.clipVaryings = 0;
   key.fetch[kMatrixIndex] = key.fetch[kWeight] = Fetch::Unread;
 }

@@ -254,11 +254,15 @@ TEST(Values, ZeroVectorsStayZero) {
 TEST(Values, LinearFogWithStartAtEndIsAStep) {
   State s = plainState();
   s.fog = {true, GL_LINEAR, 1, 5, 5, {0, 0, 0, 0}};
-  const float scale = PackedState(s).get("fogScale", 1)[0];
-  const auto f = [&](float depth) { return std::clamp((5 - depth) * scale, 0.0f, 1.0f); };
-  EXPECT_EQ(f(std::nextafter(5.0f, 0.0f)), 1);
-  EXPECT_EQ(f(5), 0);
-  EXPECT_EQ(f(std::nextafter(5.0f, 9.0f)), 0);
+  for (float at : {5.0f, 0.0f, 1e-20f, 1e9f}) {
+    s.fog.start = s.fog.end = at;
+    const PackedState p(s);
+    const float end = p.get("fogEnd", 1)[0], scale = p.get("fogScale", 1)[0];
+    const auto f = [&](float depth) { return std::clamp((end - depth) * scale, 0.0f, 1.0f); };
+    EXPECT_EQ(f(at * 0.999f), 1);
+    EXPECT_EQ(f(at), 1);
+    EXPECT_EQ(f(at * 1.001f + 1e-25f), 0);
+  }
 }
 
 TEST(Values, PointSizes) {

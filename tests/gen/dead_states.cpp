@@ -214,6 +214,9 @@ std::vector<DeadState> otherStates() {
        }},
       {"ubyte colors for float colors", with(plainState(), [](State& s) { enableArray(s, kColor, 4); }),
        [](State& s) { s.attributes[kColor].type = GL_UNSIGNED_BYTE; }},
+      {"w of positions under fog that has the eye position",
+       with(litState(), [](State& s) { s.fog.enabled = true, s.lighting.lights[0].position.w = 1; }),
+       [](State& s) { s.attributes[kPosition].size = 4; }},
       {"size of float positions", plainState(), [](State& s) { s.attributes[kPosition].size = 4; }},
   };
 }
@@ -265,6 +268,8 @@ TEST(DeadStates, LiveStatesChangeKeys) {
       {"two-sided", litState(), [](State& s) { s.lighting.twoSided = true; }},
       {"color material", litState(), [](State& s) { s.lighting.colorMaterial = true; }},
       {"NORMALIZE", litState(), [](State& s) { s.lighting.normalize = true; }},
+      {"w of positions under fog", with(plainState(), [](State& s) { s.fog.enabled = true; }),
+       [](State& s) { s.attributes[kPosition].size = 4; }},
       {"fog", plainState(), [](State& s) { s.fog.enabled = true; }},
       {"flat", plainState(), [](State& s) { s.shadeModel = GL_FLAT; }},
       {"alpha test", plainState(), [](State& s) { s.alphaTest = true, s.alphaFunc = GL_LESS; }},

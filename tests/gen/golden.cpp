@@ -119,6 +119,13 @@ TEST(Golden, FogAndAlphaTest) {
   expectGolden("fog_and_alpha_test", s);
 }
 
+TEST(Golden, FogOfPositionsWithW) {
+  State s = plainState();
+  enableArray(s, kPosition, 4);
+  s.fog.enabled = true, s.fog.mode = GL_EXP2;
+  expectGolden("fog_of_positions_with_w", s);
+}
+
 TEST(Golden, ClipPlanes) {
   State s = plainState();
   s.clipPlanes[0].enabled = s.clipPlanes[3].enabled = true;

@@ -21,10 +21,10 @@ layout(location = 0) out vec4 frontColor;
 
 // Eye coordinates divided by w.
 vec3 eyePoint(vec4 eye) { return eye.w == 1.0 || eye.w == 0.0 ? eye.xyz : eye.xyz / eye.w; }
-// Section 3.3; no attenuation where it has no value.
+// Section 3.3; where it has no value it is larger than every point.
 float attenuatedSize(float size, vec3 k, float range) {
   float denominator = k.x + (k.y + k.z * range) * range;
-  return denominator > 0.0 ? size * inversesqrt(denominator) : size;
+  return denominator > 0.0 ? size * inversesqrt(denominator) : 1e30;
 }
 
 void main() {

@@ -1,0 +1,22 @@
+// fragment fog=exp2
+#version 450
+
+layout(std140, set = 0, binding = 1) uniform Fragment {
+  vec3 fogColor;
+  float fogDensity;
+};
+layout(location = 0) out vec4 fragment;
+layout(location = 0) in vec4 frontColor;
+layout(location = 2) in float fogDepth;
+
+// Equation 3.23; density is for powers of 2.
+float fogExp2(float depth, float density) {
+  float scaled = density * depth;
+  return clamp(exp2(-scaled * scaled), 0.0, 1.0);
+}
+
+void main() {
+  vec4 color = frontColor;
+  color.rgb = mix(fogColor, color.rgb, fogExp2(fogDepth, fogDensity));
+  fragment = color;
+}
