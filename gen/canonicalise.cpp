@@ -66,11 +66,25 @@ AlphaTest alphaTest(const State& state) {
   }
 }
 
+bool isAttenuated(const Points& points) {
+  return points.distanceAttenuation != glm::vec3(1, 0, 0);
+}
+bool sizeVaries(const State& state) {
+  return isAttenuated(state.points) || state.attributes[kPointSize].array;
+}
+
 PointShape pointShape(const State& state, const Profile& profile) {
   if (!profile.largePoints) return PointShape::Square;
   if (state.primitive != PrimitiveClass::Points || state.points.sprite) return PointShape::Square;
   if (state.multisample) return PointShape::RoundSamples;
   return state.points.smooth ? PointShape::Smooth : PointShape::Square;
+}
+
+// Section 3.3: whether a point can be smaller than the fade threshold.
+bool pointFade(const State& state, const Profile& profile) {
+  if (state.primitive != PrimitiveClass::Points || !state.multisample || !profile.largePoints) return false;
+  return (sizeVaries(state) ? smallestPointSize(state) : constantPointSize(state)) <
+         state.points.fadeThreshold;
 }
 
 uint8_t enabledPlanes(const State& state) {
@@ -135,15 +149,15 @@ void translatePoints(const State& state, const FragmentKey& fragment, const Prof
                      VertexKey& key) {
   if (state.primitive != PrimitiveClass::Points) return;
   const Points& points = state.points;
-  const bool attenuated = points.distanceAttenuation != glm::vec3(1, 0, 0);
   key.pointShape = fragment.pointShape;
+  key.pointFade = fragment.pointFade;
   if (!profile.largePoints) {
     key.pointSize = PointSize::One;
     return;
   }
   key.pointRound = !points.sprite && fragment.pointShape == PointShape::Square;
-  key.pointAttenuation = attenuated;
-  if (attenuated || state.attributes[kPointSize].array)
+  key.pointAttenuation = isAttenuated(points);
+  if (sizeVaries(state))
     key.pointSize = PointSize::Varying;
   else
     key.pointSize = constantPointSize(state) == 1 ? PointSize::One : PointSize::Constant;
@@ -176,6 +190,7 @@ FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
   key.fog = fogMode(state.fog);
   key.alphaTest = alphaTest(state);
   key.pointShape = pointShape(state, profile);
+  key.pointFade = pointFade(state, profile);
   key.flatColor = state.shadeModel == GL_FLAT && state.primitive != PrimitiveClass::Points;
   bool lit = false;
   for (const Light& light : state.lighting.lights) lit |= light.enabled;

@@ -76,6 +76,7 @@ void visitVertex(Key& key, Visit visit) {
   number("point-attenuation", key.pointAttenuation, 1);
   number("point-round", key.pointRound, 1);
   words("point-shape", key.pointShape, kPointShapeWords);
+  number("point-fade", key.pointFade, 1);
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     words("out", key.units[u].output, Words(kCoordinateWords).first(5), u);
     words("texgen", key.units[u].texGen, kTexGenWords, u);
@@ -99,6 +100,7 @@ void visitFragment(Key& key, Visit visit) {
   words("fog", key.fog, kFogWords);
   words("alpha-test", key.alphaTest, kAlphaTestWords);
   words("point-shape", key.pointShape, kPointShapeWords);
+  number("point-fade", key.pointFade, 1);
   number("flat", key.flatColor, 1);
   number("two-sided", key.twoSided, 1);
   number("point-y-up", key.pointYUp, 1);

@@ -19,6 +19,7 @@ inline constexpr int kFogDepthLocation = 2;
 inline constexpr int kDiameterLocation = 3;
 inline constexpr int kClipLocation = 4;  // two: four distances each
 inline constexpr int kTexCoordLocation = 6;
+inline constexpr int kFadeLocation = kTexCoordLocation + kMaxTextureUnits;
 
 // "vec2" for St and so on: the type between the stages.
 std::string_view coordinateType(Coordinate coordinate);

@@ -146,13 +146,16 @@ void fog(FogMode mode, Shader& shader) {
   shader.line("color.rgb = mix(fogColor, color.rgb, {}(fogDepth, {}));", function, parameters);
 }
 
-void shapePoint(PointShape shape, Shader& shader) {
-  if (shape == PointShape::Square) return;
-  shader.declareLine("layout(location = {}) flat in float diameter;", kDiameterLocation);
-  if (shape == PointShape::Smooth)
+void shapePoint(const FragmentKey& key, Shader& shader) {
+  if (key.pointShape != PointShape::Square)
+    shader.declareLine("layout(location = {}) flat in float diameter;", kDiameterLocation);
+  if (key.pointShape == PointShape::Smooth)
     shader.line("color.a *= {}(gl_PointCoord, diameter);", shader.call("pointCoverage"));
-  else
+  if (key.pointShape == PointShape::RoundSamples)
     shader.line("gl_SampleMask[0] = {}(gl_PointCoord, diameter);", shader.call("samplesInCircle"));
+  if (!key.pointFade) return;
+  shader.declareLine("layout(location = {}) flat in float fade;", kFadeLocation);
+  shader.line("color.a *= fade;");
 }
 
 void alphaTest(AlphaTest test, Shader& shader) {
@@ -190,7 +193,7 @@ std::string emitFragment(const FragmentKey& key) {
   readPrimary(key, shader);
   for (int u = 0; u < kMaxTextureUnits; ++u) combine(key.units[u], u, shader);
   fog(key.fog, shader);
-  shapePoint(key.pointShape, shader);
+  shapePoint(key, shader);
   discardClipped(key.discardPlanes, shader);
   alphaTest(key.alphaTest, shader);
   shader.line("fragment = color;");

@@ -207,6 +207,12 @@ void writePointSize(const VertexKey& key, Shader& shader) {
     diameter = fmt::format("clamp({}, sizeRange.x, sizeRange.y)", diameter);
     if (key.pointRound) diameter = fmt::format("{}({})", shader.call("wholeSize"), diameter);
   }
+  if (key.pointFade) {
+    shader.declareLine("layout(location = {}) flat out float fade;", kFadeLocation);
+    shader.line("float derived = {};", diameter);
+    shader.line("fade = {}(derived, fadeThreshold);", shader.call("pointFade"));
+    diameter = "max(derived, fadeThreshold)";
+  }
   if (key.pointShape == PointShape::Square) {
     shader.line("gl_PointSize = {};", diameter);
     return;

@@ -68,6 +68,7 @@ struct FragmentKey {
   FogMode fog;
   AlphaTest alphaTest;
   PointShape pointShape;
+  uint8_t pointFade;      // 0, 1: alpha is scaled by equation 3.2
   uint8_t flatColor;      // 0, 1: the color of the provoking vertex
   uint8_t twoSided;       // 0, 1: a back color, chosen by gl_FrontFacing
   uint8_t pointYUp;       // 0, 1: gl_PointCoord runs in GL's direction of y: t is turned
@@ -129,14 +130,15 @@ struct VertexKey {
   uint8_t pointAttenuation;  // 0, 1
   uint8_t pointRound;        // 0, 1: to whole pixels (section 3.3.1)
   PointShape pointShape;     // not Square: the fragment stage gets the diameter
+  uint8_t pointFade;         // 0, 1: points are no smaller than the fade threshold, and fade instead
   std::array<VertexUnit, kMaxTextureUnits> units;
 };
 
 static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_copyable_v<VertexKey>);
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
-static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 7);
-static_assert(sizeof(VertexKey) == kAttributeCount + 19 + 4 * kMaxTextureUnits);
+static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 8);
+static_assert(sizeof(VertexKey) == kAttributeCount + 20 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {
   return !std::memcmp(&a, &b, sizeof a);

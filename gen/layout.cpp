@@ -250,6 +250,9 @@ void visitPoints(const VertexKey& key, Visit visit) {
   if (key.pointSize == PointSize::Constant)
     visit({Type::Float, "size", -1, "", kGroupPoints | kGroupFragmentOps | kGroupFramebuffer,
            [](const State& s, int, float* out) { *out = constantPointSize(s); }});
+  if (key.pointFade)
+    visit({Type::Float, "fadeThreshold", -1, "", kGroupPoints,
+           [](const State& s, int, float* out) { *out = s.points.fadeThreshold; }});
   if (key.pointSize != PointSize::Varying) return;
   if (key.fetch[kPointSize] == Fetch::Constant)
     visit({Type::Float, "size", -1, "", kGroupPoints,

@@ -136,7 +136,10 @@ void reduce(VertexKey& key) {
   // A constant normal is transformed, and normalised, with the constants.
   if (key.fetch[kNormal] == Fetch::Unread || key.fetch[kNormal] == Fetch::Constant) key.normalize = 0;
 
-  if (key.pointSize == PointSize::None) key.pointShape = PointShape::Square;
+  if (key.pointSize == PointSize::None) {
+    key.pointShape = PointShape::Square;
+    key.pointFade = 0;
+  }
   if (key.pointSize != PointSize::Varying) {
     key.pointAttenuation = key.pointRound = 0;
     key.fetch[kPointSize] = Fetch::Unread;

@@ -138,6 +138,10 @@ glm::dvec2 pointSizeRange(const Points& points) {
   return {std::min(least, most), most};
 }
 
+float smallestPointSize(const State& state) {
+  return static_cast<float>(pointSizeRange(state.points).x);
+}
+
 float constantPointSize(const State& state) {
   const Points& points = state.points;
   const glm::dvec2 range = pointSizeRange(points);

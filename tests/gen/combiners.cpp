@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/gen/states.h"
+#include "tests/gen/validated.h"
 
 namespace anteroom::gen {
 namespace {
@@ -24,8 +25,7 @@ class Compiled {
   void expect(const State& state) {
     const std::string glsl = emitFragment(canonicaliseFragment(state, {}));
     if (!seen_.insert(glsl).second) return;
-    const CompileResult result = compile(Stage::Fragment, glsl);
-    EXPECT_FALSE(result.spirv.empty()) << result.log << glsl;
+    expectCompiles(Stage::Fragment, glsl);
   }
   size_t count() const { return seen_.size(); }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "tests/gen/states.h"
+#include "tests/gen/validated.h"
 
 namespace anteroom::gen {
 namespace {
@@ -35,8 +36,8 @@ void expectGolden(const std::string& name, const State& state, const Profile& pr
   const std::string vertex = emitVertex(keys.vertex), fragment = emitFragment(keys.fragment);
   expectGolden(name + ".vert", vertex);
   expectGolden(name + ".frag", fragment);
-  EXPECT_EQ(compile(Stage::Vertex, vertex).log, "");
-  EXPECT_EQ(compile(Stage::Fragment, fragment).log, "");
+  expectCompiles(Stage::Vertex, vertex);
+  expectCompiles(Stage::Fragment, fragment);
 }
 
 TEST(Golden, Plain) {
@@ -146,6 +147,13 @@ TEST(Golden, SmoothPoints) {
   State s = pointState();
   s.points.smooth = true;
   expectGolden("smooth_points", s);
+}
+
+TEST(Golden, MultisampledPoints) {
+  State s = pointState();
+  s.multisample = true;
+  s.points.fadeThreshold = 10;
+  expectGolden("multisampled_points", s);
 }
 
 TEST(Golden, AlphaTestNever) {

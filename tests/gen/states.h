@@ -132,7 +132,7 @@ class RandomStates {
     l.modelAmbient = color();
     l.material = {color(), color(), coin() ? glm::vec4(0, 0, 0, 1) : color(), color(), number()};
     for (Light& light : l.lights) {
-      light = {coin(3),
+      light = {coin(5),
                color(),
                color(),
                color(),
@@ -177,6 +177,7 @@ class RandomStates {
     p.sizeMin = pick({0.0f, 2.0f});
     p.sizeMax = pick({1.0f, 64.0f});
     p.deviceMax = pick({1.0f, 256.0f});
+    p.fadeThreshold = pick({0.0f, 1.0f, 5.0f});
     p.distanceAttenuation = coin() ? glm::vec3(1, 0, 0) : glm::vec3(color());
     p.smooth = coin();
     p.sprite = coin();
