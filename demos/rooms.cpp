@@ -54,6 +54,7 @@ struct Size {
 struct FrameRange {
   int first;
   int last;
+  bool numbered;  // whether the pictures' names hold the frame's number
 };
 
 // Two numbers with one character between them; nothing else in the text.
@@ -76,13 +77,15 @@ Size parseSize(const std::string& text) {
 
 // "60" is the first sixty frames, "30-59" the second half of them.
 FrameRange parseFrames(const std::string& text) {
+  constexpr int kMost = 10'000'000;
   FrameRange range{};
   if (parsePair(text, '-', range.first, range.last)) {
-    if (range.first >= 0 && range.last >= range.first) return range;
+    if (range.first >= 0 && range.last >= range.first && range.last < kMost)
+      return {range.first, range.last, true};
   } else {
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), range.last);
     const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
-    if (whole && range.last > 0) return {0, range.last - 1};
+    if (whole && range.last > 0 && range.last <= kMost) return {0, range.last - 1, range.last > 1};
   }
   throw UsageError(fmt::format("--frames {}: expected a count, as in 60, or a range, as in 30-59", text));
 }
@@ -132,7 +135,6 @@ void render(const room::DemoEntry& entry, const Options& options) {
   demo->setup();
   room::checkErrors(fmt::format("the setup of {}", entry.name));
 
-  const bool single = range.first == range.last;
   const std::string stem =
       stage == demo->stages().back() ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
   std::unique_ptr<room::GifWriter> gif;
@@ -146,7 +148,7 @@ void render(const room::DemoEntry& entry, const Options& options) {
     if (gif) {
       gif->add(picture);
     } else {
-      const std::string name = single ? stem : fmt::format("{}-{:04}", stem, frame);
+      const std::string name = range.numbered ? fmt::format("{}-{:04}", stem, frame) : stem;
       room::writePicture(folder / (name + "." + options.format), picture);
     }
     progress.advance();

@@ -72,7 +72,7 @@ Context::Context(int width, int height, int samples) : width_(width), height_(he
   throw std::runtime_error(fmt::format(
       "no OpenGL ES 1.x context with a {} x {} pbuffer (RGBA8888, depth 24, stencil 8) could be made; "
       "the last EGL error is 0x{:04X}. Without a window system try EGL_PLATFORM=surfaceless.",
-      width, height, eglGetError()));
+      width, height, error_));
 }
 
 Context::~Context() {
@@ -80,7 +80,10 @@ Context::~Context() {
 }
 
 bool Context::open(EGLDisplay display, int samples) {
-  if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return false;
+  if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
+    error_ = eglGetError();
+    return false;
+  }
   display_ = display;
   const EGLConfig config = chooseConfig(display, samples);
   const std::array<EGLint, 5> size = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
@@ -94,9 +97,8 @@ bool Context::open(EGLDisplay display, int samples) {
       return true;
     }
   }
-  const EGLint error = eglGetError();
+  error_ = config != nullptr ? eglGetError() : EGL_BAD_CONFIG;
   close();
-  if (error != EGL_SUCCESS) fmt::print(stderr, "an EGL display was passed over: error 0x{:04X}\n", error);
   return false;
 }
 

@@ -31,6 +31,7 @@ class Context {
   int width_;
   int height_;
   int samples_ = 0;
+  EGLint error_ = EGL_SUCCESS;  // why the last display was passed over
 };
 
 // Whether the current context lists the extension.

@@ -17,7 +17,7 @@ struct View {
 class Demo {
  public:
   virtual ~Demo() = default;
-  // What --stage accepts; the last one is the finished picture.
+  // What --stage accepts; the last one is the finished picture. The names live as long as the program.
   virtual std::span<const std::string_view> stages() const = 0;
   // Makes textures and meshes. A context is current, here and whenever anything else of the demo runs.
   virtual void setup() = 0;

@@ -45,18 +45,16 @@ Picture readPicture(int width, int height) {
 
 Picture reducePicture(const Picture& picture, int factor) {
   if (factor == 1) return picture;
+  const auto f = static_cast<std::size_t>(factor);
+  const std::size_t width = static_cast<std::size_t>(picture.width) * 3;
   Picture small{picture.width / factor, picture.height / factor, {}};
-  const int blockSize = factor * factor;
-  small.rgb.reserve(picture.rgb.size() / static_cast<std::size_t>(blockSize));
-  for (int y = 0; y < small.height; ++y) {
-    for (int x = 0; x < small.width * 3; ++x) {
-      const int left = x / 3 * 3 * factor + x % 3;
-      int sum = blockSize / 2;
-      for (int i = 0; i < blockSize; ++i) {
-        const int row = y * factor + i / factor;
-        sum += picture.rgb[static_cast<std::size_t>(row * picture.width * 3 + left + i % factor * 3)];
-      }
-      small.rgb.push_back(static_cast<std::uint8_t>(sum / blockSize));
+  small.rgb.reserve(picture.rgb.size() / (f * f));
+  for (std::size_t y = 0; y < static_cast<std::size_t>(small.height); ++y) {
+    for (std::size_t x = 0; x < static_cast<std::size_t>(small.width) * 3; ++x) {
+      const std::uint8_t* block = picture.rgb.data() + y * f * width + x / 3 * 3 * f + x % 3;
+      std::size_t sum = f * f / 2;
+      for (std::size_t i = 0; i < f * f; ++i) sum += block[i / f * width + i % f * 3];
+      small.rgb.push_back(static_cast<std::uint8_t>(sum / (f * f)));
     }
   }
   return small;
