@@ -232,9 +232,13 @@ void Rasteriser::triangle(const WindowPrimitive& primitive, int fromRow, int toR
              std::ldexp(1.0, -bits) * double(state_.raster.polygonOffsetUnits);
   }
 
+  // Clipping left a margin around the view volume (clipping.h); the viewport ends it.
+  const render::Rect visible = intersect(bounds_, state_.viewport);
+  fromRow = std::max(fromRow, visible.y);
+  toRow = std::min(toRow, visible.y + visible.height);
   const auto [minX, maxX] = std::minmax({v[0].window.x, v[1].window.x, v[2].window.x});
-  const int fromX = clampToInt(std::floor(minX) - 1, bounds_.x, bounds_.x + bounds_.width);
-  const int toX = clampToInt(std::ceil(maxX) + 2, bounds_.x, bounds_.x + bounds_.width);
+  const int fromX = clampToInt(std::floor(minX) - 1, visible.x, visible.x + visible.width);
+  const int toX = clampToInt(std::ceil(maxX) + 2, visible.x, visible.x + visible.width);
   const SamplePosition* positions = samples_ == 4 ? kFourSamples : kOneSample;
   const bool perSample = state_.fixed.multisample;
 

@@ -84,11 +84,9 @@ glm::dvec4 combiner(const Inputs& in) {
   }
   const double rgbScale = env.rgbScale, alphaScale = env.alphaScale;
   if (env.combineRgb == GL_DOT3_RGB || env.combineRgb == GL_DOT3_RGBA) {
-    const double dot = 4 * glm::dot(c[0] - 0.5, c[1] - 0.5) * rgbScale;
-    const double alpha = env.combineRgb == GL_DOT3_RGBA
-                             ? 4 * glm::dot(c[0] - 0.5, c[1] - 0.5) * rgbScale
-                             : combine(env.combineAlpha, a[0], a[1], a[2]) * alphaScale;
-    return clamp01({glm::dvec3(dot), alpha});
+    const double dot = 4 * glm::dot(c[0] - 0.5, c[1] - 0.5);
+    const double alpha = env.combineRgb == GL_DOT3_RGBA ? dot : combine(env.combineAlpha, a[0], a[1], a[2]);
+    return clamp01({glm::dvec3(dot * rgbScale), alpha * alphaScale});
   }
   return clamp01({combine(env.combineRgb, c[0], c[1], c[2]) * rgbScale,
                   combine(env.combineAlpha, a[0], a[1], a[2]) * alphaScale});
