@@ -67,16 +67,9 @@ Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EG
 void bind(Binding next) {
   thread_local ThreadEnd end;
   static_cast<void>(end);
+  if (thread.binding != nullptr && *thread.binding == next) return gl::flush(*next.context->gl);
   auto binding = std::make_unique<Binding>(std::move(next));
-  if (thread.binding != nullptr && thread.binding->context != binding->context) {
-    release();
-  } else if (thread.binding != nullptr) {
-    // The former binding is flushed, too, when only the surfaces change.
-    gl::flush(*binding->context->gl);
-    for (const auto& surface : {thread.binding->draw, thread.binding->read}) {
-      if (surface != nullptr) surface->thread = nullptr;
-    }
-  }
+  release();
   gl::makeCurrent(binding->context->gl.get());
   useSurfaces(*binding);
   binding->context->thread = &thread;
@@ -84,7 +77,7 @@ void bind(Binding next) {
     if (surface != nullptr) surface->thread = &thread;
   }
   if (binding->draw != nullptr) binding->draw->drawnBy = binding->context;
-  const std::unique_ptr<Binding> former(std::exchange(thread.binding, binding.release()));
+  thread.binding = binding.release();
 }
 
 }  // namespace

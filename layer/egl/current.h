@@ -13,6 +13,7 @@ namespace anteroom::egl {
 struct Binding {
   std::shared_ptr<Context> context;
   std::shared_ptr<Surface> draw, read;  // both null: without a default framebuffer
+  bool operator==(const Binding&) const = default;
 };
 
 // Without constructor and destructor: commands may be called while a thread or the process ends.
