@@ -1,5 +1,6 @@
 #include "process.h"
 
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -53,6 +54,7 @@ Outcome runSelf(const std::vector<std::string>& arguments, const Environment& en
     close(ends[0]);
     close(ends[1]);
     alarm(seconds);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     execve("/proc/self/exe", argv.data(), envp.data());
     _exit(127);
   }
