@@ -93,8 +93,6 @@ void resetState() {
   for (int unit = kUnits - 1; unit >= 0; --unit) {
     loadTextureMatrix(unit, glm::dmat4(1.0));
     glDisable(GL_TEXTURE_2D);
-    glDisable(GL_TEXTURE_CUBE_MAP_OES);
-    glDisable(GL_TEXTURE_GEN_STR_OES);
     glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glDisableClientState(GL_TEXTURE_COORD_ARRAY);
   }
@@ -150,28 +148,29 @@ class Lighting final : public room::Demo {
 };
 
 void Lighting::setup() {
-  if (!room::hasExtension("GL_OES_texture_cube_map")) {
-    throw std::runtime_error(
-        "lighting needs GL_OES_texture_cube_map, which this implementation does not have");
-  }
   GLint units = 0;
   glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
   if (units < kUnits) throw std::runtime_error("lighting needs three texture units");
-  texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
-  if (texGeni_ == nullptr) throw std::runtime_error("eglGetProcAddress does not know glTexGeniOES");
   scene_.emplace();
   const auto falloff = [](const room::Image& image) {
     return room::makeTexture(image, room::Filter::Nearest, GL_CLAMP_TO_EDGE, GL_ALPHA);
   };
   falloff_ = {falloff(bulbFalloff()), falloff(lensFalloff())};
   ramp_ = room::makeTexture(rampImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE, GL_ALPHA);
-  highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
+  if (room::hasExtension("GL_OES_texture_cube_map")) {
+    texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
+    highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
+  }
   glow_ = room::makeTexture(glowImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
   colors_.resize(scene_->parts().size());
 }
 
 void Lighting::frame(const room::View& view, std::string_view stage) {
   const Terms terms = termsOf(stage);
+  if (terms.specular && texGeni_ == nullptr) {
+    throw std::runtime_error(
+        "the highlights need GL_OES_texture_cube_map, which this implementation does not have");
+  }
   scene_->animate(view.time);
 
   const double turn = glm::two_pi<double>() * view.time;
@@ -414,6 +413,9 @@ void Lighting::drawSpecular(const Spotlight& light) {
     setColor(light.color * part.shine);
     part.mesh->draw();
   }
+  glActiveTexture(GL_TEXTURE0);
+  glDisable(GL_TEXTURE_CUBE_MAP_OES);
+  glDisable(GL_TEXTURE_GEN_STR_OES);
 }
 
 // The air around the lamps, as far as its dust shows.
