@@ -2,18 +2,14 @@
 #include <dlfcn.h>
 
 #include "layer/egl/renderer.h"
-#ifdef ANTEROOM_VULKAN
 #include "layer/vulkan/vulkan_device.h"
-#endif
 
 namespace anteroom {
 namespace {
 
-#ifdef ANTEROOM_VULKAN
 std::unique_ptr<render::Device> createVulkan(const egl::RendererOptions& options, std::string& error) {
   return vulkan::createDevice({options.device, options.validation, options.minimal}, error);
 }
-#endif
 
 // The folder of this library, with the slash at its end.
 std::string ownFolder() {
@@ -35,9 +31,7 @@ std::unique_ptr<render::Device> createReference(const egl::RendererOptions&, std
   return std::unique_ptr<render::Device>(reinterpret_cast<render::Device* (*)()>(create)());
 }
 
-#ifdef ANTEROOM_VULKAN
 [[maybe_unused]] const bool vulkanAdded = egl::addRenderer("vulkan", createVulkan);
-#endif
 [[maybe_unused]] const bool referenceAdded = egl::addRenderer("reference", createReference);
 
 }  // namespace
