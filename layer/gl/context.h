@@ -121,7 +121,10 @@ class Context {
   void setError(GLenum code) {
     if (error == GL_NO_ERROR) error = code;
   }
-  void mark(gen::Groups groups) { state.dirty |= groups; }
+  void mark(gen::Groups groups) {
+    state.dirty |= groups;
+    staleUnits |= (groups & gen::kGroupTextures) != 0;
+  }
   // Stores a value and marks groups when it differs from the old one.
   template <class T>
   void set(T& field, const T& value, gen::Groups groups) {
@@ -165,6 +168,8 @@ class Context {
   std::array<UnitBindings, gen::kMaxTextureUnits> units;
   std::array<std::shared_ptr<Texture>, kSlotCount> defaultTextures;
   uint32_t seenTextureVersion = 0;
+  // The renderer's view of the units must be made again. state.dirty cannot say so: any call may consume it.
+  bool staleUnits = true;
 
   // Section 3.6.1.
   int packAlignment = 4;

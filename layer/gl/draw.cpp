@@ -33,7 +33,7 @@ void draw(Context& c, const render::DrawCall& call) {
     c.seenTextureVersion = textures;
     c.mark(gen::kGroupTextures);
   }
-  if (c.state.dirty & gen::kGroupTextures) resolveTextureUnits(c);
+  if (c.staleUnits) resolveTextureUnits(c);
   c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
   if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY);
 }

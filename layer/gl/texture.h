@@ -135,7 +135,7 @@ struct Texture {
 void initTextures(Context& c);
 
 // From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i]
-// (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures is marked.
+// (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures was marked.
 void resolveTextureUnits(Context& c);
 
 // The slot of a binding target, and of a target that names an image. kSlotCount: none.

@@ -171,7 +171,8 @@ bool FakeContext::draw(render::State& state, const render::DrawCall&) {
   return !log_.fails();
 }
 
-bool FakeContext::clear(render::State&, GLbitfield) {
+bool FakeContext::clear(render::State& state, GLbitfield) {
+  state.dirty = 0;
   return true;
 }
 

@@ -47,6 +47,15 @@ TEST_F(ObjectsTest, DeletedTexturesLeaveEveryUnit) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
+TEST_F(ObjectsTest, ClearBetweenEnableAndDraw) {
+  specify(0, 2, 2);
+  glDisable(GL_TEXTURE_2D);
+  EXPECT_FALSE(draw());
+  glEnable(GL_TEXTURE_2D);
+  glClear(GL_COLOR_BUFFER_BIT);
+  EXPECT_TRUE(draw());
+}
+
 TEST_F(ObjectsTest, DefaultTextures) {
   glBindTexture(GL_TEXTURE_2D, 0);
   filter(GL_TEXTURE_2D, GL_LINEAR);
