@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 
 #include "allocations.h"
@@ -20,8 +21,7 @@ constexpr unsigned kFrames = 12;
 
 using Counts = std::map<std::string, unsigned>;
 
-// Of the counting layer, which the Vulkan loader loads because the environment of the test says so; empty
-// without it.
+// By the counting layer; empty when the Vulkan loader has not loaded it.
 Counts createdObjects() {
   Counts counts;
   void* const layer = dlopen(COUNTING_LAYER, RTLD_NOW | RTLD_NOLOAD);
@@ -43,7 +43,12 @@ void drawFrames(Scene& scene, unsigned first, unsigned count) {
 
 class SteadyResources : public testing::TestWithParam<std::string> {
  protected:
-  static void SetUpTestSuite() { display_ = openDisplay(); }
+  static void SetUpTestSuite() {
+    setenv("VK_ADD_LAYER_PATH", COUNTING_LAYER_FOLDER, 1);
+    setenv("VK_INSTANCE_LAYERS", "VK_LAYER_ANTEROOM_counting", 1);
+    setenv("ANTEROOM_CACHE", "off", 1);
+    display_ = openDisplay();
+  }
   static void TearDownTestSuite() { eglTerminate(display_); }
   static EGLDisplay display_;
 };
