@@ -1,5 +1,5 @@
-// Texel formats as GL programs hand them in: the layout in client memory, which is also what a renderer is asked
-// to store without loss. A renderer keeps them in whatever its device supports.
+// Texel formats as GL programs hand them in: the layout in client memory, which is also what a renderer is
+// asked to store without loss. A renderer keeps them in whatever its device supports.
 #pragma once
 
 #include <cstdint>
@@ -29,13 +29,17 @@ struct FormatInfo {
 
 // Indexed by Format.
 inline constexpr FormatInfo kFormatInfo[] = {
-    {0, 0, 0, 0, 0, 0, 0, 0},  {1, 0, 0, 0, 8, 0, 0, 0}, {1, 0, 0, 0, 0, 8, 0, 0}, {2, 0, 0, 0, 8, 8, 0, 0},
-    {3, 8, 8, 8, 0, 0, 0, 0},  {4, 8, 8, 8, 8, 0, 0, 0}, {2, 5, 6, 5, 0, 0, 0, 0}, {2, 4, 4, 4, 4, 0, 0, 0},
-    {2, 5, 5, 5, 1, 0, 0, 0},  {0, 0, 0, 0, 0, 0, 16, 0}, {0, 0, 0, 0, 0, 0, 24, 0}, {0, 0, 0, 0, 0, 0, 24, 8},
+    {0, 0, 0, 0, 0, 0, 0, 0}, {1, 0, 0, 0, 8, 0, 0, 0},  {1, 0, 0, 0, 0, 8, 0, 0},  {2, 0, 0, 0, 8, 8, 0, 0},
+    {3, 8, 8, 8, 0, 0, 0, 0}, {4, 8, 8, 8, 8, 0, 0, 0},  {2, 5, 6, 5, 0, 0, 0, 0},  {2, 4, 4, 4, 4, 0, 0, 0},
+    {2, 5, 5, 5, 1, 0, 0, 0}, {0, 0, 0, 0, 0, 0, 16, 0}, {0, 0, 0, 0, 0, 0, 24, 0}, {0, 0, 0, 0, 0, 0, 24, 8},
     {0, 0, 0, 0, 0, 0, 0, 8},
 };
-constexpr const FormatInfo& info(Format format) { return kFormatInfo[static_cast<int>(format)]; }
+constexpr const FormatInfo& info(Format format) {
+  return kFormatInfo[static_cast<int>(format)];
+}
 
-constexpr bool isDepthOrStencil(Format format) { return info(format).depth != 0 || info(format).stencil != 0; }
+constexpr bool isDepthOrStencil(Format format) {
+  return info(format).depth != 0 || info(format).stencil != 0;
+}
 
 }  // namespace anteroom::render

@@ -1,9 +1,10 @@
 // The seam: what any renderer offers to the GL and EGL front ends. No Vulkan here.
 //
-// A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group and
-// are held by shared_ptr: a renderer keeps what the GPU still uses alive after the last reference is gone.
-// Device is thread-safe. A Context, and the images and buffers it uses, are used by one thread at a time: the front
-// end sees to that. Functions that can run out of memory say so by their result and change nothing.
+// A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group
+// and are held by shared_ptr: a renderer keeps what the GPU still uses alive after the last reference is
+// gone. Device is thread-safe. A Context, and the images and buffers it uses, are used by one thread at a
+// time: the front end sees to that. Functions that can run out of memory say so by their result and change
+// nothing.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +46,8 @@ class Image {
   ImageDesc desc_;
 };
 
-// A buffer object's store. Its contents are always readable by the CPU: indices are scanned, arrays are gathered.
+// A buffer object's store. Its contents are always readable by the CPU: indices are scanned, arrays are
+// gathered.
 class Buffer {
  public:
   virtual ~Buffer() = default;
@@ -64,16 +66,16 @@ class Buffer {
 struct Stats {
   uint64_t draws = 0;
   uint64_t pipelinesCreated = 0;
-  uint64_t shadersCompiled = 0;     // calls into glslang
+  uint64_t shadersCompiled = 0;       // calls into glslang
   uint64_t vulkanObjectsCreated = 0;  // of every kind, pipelines and memory included
-  uint64_t memoryAllocations = 0;   // device memory
+  uint64_t memoryAllocations = 0;     // device memory
   uint64_t submits = 0;
   uint64_t renderPasses = 0;
   uint64_t bytesUploaded = 0;
 };
 
 struct Caps {
-  std::string deviceName;   // goes into GL_RENDERER
+  std::string deviceName;  // goes into GL_RENDERER
   std::string driverName;
   gen::Profile profile;
   int maxTextureSize = 2048;
@@ -96,27 +98,28 @@ class Context {
  public:
   virtual ~Context() = default;
 
-  // state.fixed.primitive and kGroupPrimitive are set by the caller to fit call.mode. Arrays: those enabled in
-  // state.fixed.attributes; kPosition is enabled. A read beyond a buffer's end gives zeros or any value from the
-  // same buffer, never another's memory. False: out of memory.
+  // state.fixed.primitive and kGroupPrimitive are set by the caller to fit call.mode. Arrays: those enabled
+  // in state.fixed.attributes; kPosition is enabled. A read beyond a buffer's end gives zeros or any value
+  // from the same buffer, never another's memory. False: out of memory.
   virtual bool draw(State& state, const DrawCall& call) = 0;
 
   // mask: GL_COLOR_BUFFER_BIT and so on. Honours scissor and write masks (section 4.2.3).
   virtual bool clear(State& state, GLbitfield mask) = 0;
 
-  // Reads `rect` of a framebuffer, which may hang over its edges: pixels outside are left untouched in memory. Rows
-  // from GL's lowest to highest, `rowPitch` bytes apart; format RGBA8 or the framebuffer's own color format.
+  // Reads `rect` of a framebuffer, which may hang over its edges: pixels outside are left untouched in
+  // memory. Rows from GL's lowest to highest, `rowPitch` bytes apart; format RGBA8 or the framebuffer's own
+  // color format.
   virtual bool readPixels(const Framebuffer& framebuffer, const Rect& rect, Format format, void* out,
                           size_t rowPitch) = 0;
 
-  // Replaces texels of one level. `data` has the image's own format, rows `rowPitch` and slices `slicePitch` bytes
-  // apart. The region lies inside the level.
+  // Replaces texels of one level. `data` has the image's own format, rows `rowPitch` and slices `slicePitch`
+  // bytes apart. The region lies inside the level.
   virtual bool upload(Image& image, const Region& region, const void* data, size_t rowPitch,
                       size_t slicePitch) = 0;
 
-  // glCopyTexSubImage2D: `source`'s lower left corner goes to (region.x, region.y); the rest of the rectangle lies
-  // inside the level. Components that the image has not are dropped; source pixels outside the framebuffer leave
-  // their texels as they are. Rows keep GL's order.
+  // glCopyTexSubImage2D: `source`'s lower left corner goes to (region.x, region.y); the rest of the rectangle
+  // lies inside the level. Components that the image has not are dropped; source pixels outside the
+  // framebuffer leave their texels as they are. Rows keep GL's order.
   virtual bool copyFromFramebuffer(Image& image, const Region& region, const Framebuffer& source, int x,
                                    int y) = 0;
 
@@ -130,8 +133,8 @@ class Context {
   virtual void flush() = 0;
   virtual void finish() = 0;
 
-  // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed. Any thread may
-  // wait, also while another uses the context.
+  // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed. Any
+  // thread may wait, also while another uses the context.
   virtual uint64_t insertFence() = 0;
   virtual bool waitFence(uint64_t fence, uint64_t timeout) = 0;
 

@@ -1,5 +1,5 @@
-// Everything that a draw or a clear depends on, as plain data. The GL front end owns one State a context, writes
-// into it, and marks the groups that it changed; a renderer reads it.
+// Everything that a draw or a clear depends on, as plain data. The GL front end owns one State a context,
+// writes into it, and marks the groups that it changed; a renderer reads it.
 #pragma once
 
 #include <array>
@@ -26,13 +26,14 @@ struct Attachment {
   int layer = 0;
 };
 
-// Where drawing goes. Images may be allocated only when they are first used: a framebuffer whose depth image is
-// never read or written costs no depth memory. depth and stencil may be the same image.
+// Where drawing goes. Images may be allocated only when they are first used: a framebuffer whose depth image
+// is never read or written costs no depth memory. depth and stencil may be the same image.
 struct Framebuffer {
   Attachment color, depth, stencil;
   int width = 0, height = 0;
   int samples = 1;
-  // Row 0 of the images is the top row (windows); otherwise it is GL's row 0, and nothing is flipped anywhere.
+  // Row 0 of the images is the top row (windows); otherwise it is GL's row 0, and nothing is flipped
+  // anywhere.
   bool yDown = false;
 };
 
@@ -54,7 +55,8 @@ struct TextureBinding {
   Sampler sampler;
 };
 
-// Where an enabled array's data lie: `buffer` null: `pointer` is client memory; otherwise it is an offset in bytes.
+// Where an enabled array's data lie: `buffer` null: `pointer` is client memory; otherwise it is an offset in
+// bytes.
 struct VertexArray {
   Buffer* buffer = nullptr;
   const void* pointer = nullptr;
@@ -121,7 +123,8 @@ struct State {
   ClearValues clear;
   Framebuffer framebuffer;
 
-  // Changed since the renderer last looked. The front end sets bits; the renderer clears those that it consumed.
+  // Changed since the renderer last looked. The front end sets bits; the renderer clears those that it
+  // consumed.
   gen::Groups dirty = gen::kAllGroups;
 };
 
