@@ -3,6 +3,7 @@
 #include "gen/combiner.h"
 #include "gen/gen.h"
 #include "gen/reduce.h"
+#include "gen/values.h"
 
 namespace anteroom::gen {
 namespace {

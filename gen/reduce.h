@@ -15,9 +15,4 @@ bool readsPrimaryColor(const FragmentKey& key);
 bool needsEye(const VertexKey& key);
 bool needsNormal(const VertexKey& key);
 
-// Equation of section 3.3 for a point that is not attenuated, in pixels.
-float constantPointSize(const State& state);
-// The least that it can derive, in pixels.
-float smallestPointSize(const State& state);
-
 }  // namespace anteroom::gen

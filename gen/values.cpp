@@ -6,8 +6,6 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
-#include "gen/reduce.h"
-
 namespace anteroom::gen {
 namespace {
 

@@ -37,4 +37,9 @@ glm::dvec3 constantAmbient(const State& state);
 // Limits of a derived point size: the user's range within the device's.
 glm::dvec2 pointSizeRange(const Points& points);
 
+// Equation of section 3.3 for a point that is not attenuated, in pixels.
+float constantPointSize(const State& state);
+// The least that it can derive, in pixels.
+float smallestPointSize(const State& state);
+
 }  // namespace anteroom::gen

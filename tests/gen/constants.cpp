@@ -9,7 +9,6 @@
 #include <glm/matrix.hpp>
 #include <regex>
 
-#include "gen/reduce.h"
 #include "gen/values.h"
 #include "tests/gen/states.h"
 

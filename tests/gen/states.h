@@ -144,8 +144,9 @@ class RandomStates {
     }
   }
   void textureUnit(TextureUnit& unit) {
-    unit.target = coin() ? TextureTarget::None
-                         : pick({TextureTarget::Texture2D, TextureTarget::CubeMap, TextureTarget::Texture3D});
+    unit.target = !coin(3)
+                      ? TextureTarget::None
+                      : pick({TextureTarget::Texture2D, TextureTarget::CubeMap, TextureTarget::Texture3D});
     unit.baseFormat = pick<GLenum>({GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA});
     unit.texGen = coin(4);
     unit.texGenMode = pick<GLenum>({GL_REFLECTION_MAP_OES, GL_NORMAL_MAP_OES});
