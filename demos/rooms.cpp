@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -110,40 +111,29 @@ std::vector<const room::DemoEntry*> chosenDemos(const std::string& name) {
   return chosen;
 }
 
-std::string_view chosenStage(const room::Demo& demo, std::string_view name, const std::string& stage) {
-  if (stage.empty()) return demo.stages().back();
-  for (std::string_view known : demo.stages()) {
-    if (known == stage) return known;
-  }
+std::vector<std::string_view> chosenStages(const room::Demo& demo, std::string_view name,
+                                           const std::string& stage) {
+  const auto known = demo.stages();
+  if (stage.empty()) return {known.back()};
+  if (stage == "all") return {known.begin(), known.end()};
+  if (const auto found = std::find(known.begin(), known.end(), stage); found != known.end()) return {*found};
   throw UsageError(
-      fmt::format("{} has no stage '{}'; its stages are: {}", name, stage, fmt::join(demo.stages(), ", ")));
+      fmt::format("{} has no stage '{}'; its stages are: {}, or all", name, stage, fmt::join(known, ", ")));
 }
 
-void render(const room::DemoEntry& entry, const Options& options) {
-  const Size size = parseSize(options.size);
+// Draws the frames of one stage to files.
+void renderStage(room::Demo& demo, const room::Context& context, const std::string& stem,
+                 std::string_view stage, const Options& options) {
   const FrameRange range = parseFrames(options.frames);
-  if (!std::isfinite(options.time + range.last / options.fps)) {
-    throw UsageError("--time and --fps must give every frame a finite time");
-  }
-  const std::string_view stage = chosenStage(*entry.make(), entry.name, options.stage);
   const std::filesystem::path folder = options.out;
-  std::filesystem::create_directories(folder);
-
-  const int fine = options.supersample;
-  const room::Context context(size.width * fine, size.height * fine, options.samples);
-  const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
-  demo->setup();
-  room::checkErrors(fmt::format("the setup of {}", entry.name));
-
-  const std::string stem =
-      stage == demo->stages().back() ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
   std::unique_ptr<room::GifWriter> gif;
   if (options.format == "gif") gif = std::make_unique<room::GifWriter>(folder / (stem + ".gif"), options.fps);
   room::Progress progress(stem, range.last - range.first + 1);
   for (int frame = range.first; frame <= range.last; ++frame) {
     const room::View view{context.width(), context.height(), options.time + frame / options.fps};
-    demo->frame(view, stage);
-    const room::Picture picture = room::reducePicture(room::readPicture(view.width, view.height), fine);
+    demo.frame(view, stage);
+    const room::Picture full = room::readPicture(view.width, view.height);
+    const room::Picture picture = room::reducePicture(full, options.supersample);
     room::checkErrors(fmt::format("frame {} of {}", frame, stem));
     if (gif) {
       gif->add(picture);
@@ -154,6 +144,26 @@ void render(const room::DemoEntry& entry, const Options& options) {
     progress.advance();
   }
   if (gif) gif->close();
+}
+
+void render(const room::DemoEntry& entry, const Options& options) {
+  const Size size = parseSize(options.size);
+  if (!std::isfinite(options.time + parseFrames(options.frames).last / options.fps)) {
+    throw UsageError("--time and --fps must give every frame a finite time");
+  }
+  const std::vector<std::string_view> stages = chosenStages(*entry.make(), entry.name, options.stage);
+  std::filesystem::create_directories(options.out);
+
+  const int fine = options.supersample;
+  const room::Context context(size.width * fine, size.height * fine, options.samples);
+  const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
+  demo->setup();
+  room::checkErrors(fmt::format("the setup of {}", entry.name));
+  for (std::string_view stage : stages) {
+    const bool finished = stage == demo->stages().back();
+    const std::string stem = finished ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
+    renderStage(*demo, context, stem, stage, options);
+  }
 }
 
 void list() {
@@ -174,7 +184,7 @@ int run(int argc, char** argv) {
   app.add_option("--time", options.time, "seconds at frame 0")->capture_default_str();
   app.add_option("--frames", options.frames, "how many frames, or which: 60 or 30-59")->capture_default_str();
   app.add_option("--fps", options.fps, "frames a second")->capture_default_str()->check(CLI::PositiveNumber);
-  app.add_option("--stage", options.stage, "show one step of the demo (see --list)");
+  app.add_option("--stage", options.stage, "show one step of the demo, or all of them (see --list)");
   app.add_option("--out", options.out, "folder for the pictures")->capture_default_str();
   app.add_option("--format", options.format, "png, exr (linear light) or gif (one animation)")
       ->capture_default_str()
