@@ -151,7 +151,7 @@ void Scene::addSkirting() {
 
 void Scene::addCan() {
   const dvec3 stand(0.55, 0, -0.95);
-  Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 0.62});
+  Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 0.85});
   can.model = at(stand, 0.4);
   can.shadowMesh = outlineOf(room::surface(40, 12, canSurface()));
 
@@ -161,7 +161,7 @@ void Scene::addCan() {
   const double radius = 0.351;
   const double upper = canRadius(2 * radius * std::sin(tilt) * 0.98);
   const double distance = upper + 0.02 + radius * std::cos(tilt);
-  Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 0.5});
+  Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 0.65});
   dmat4 lean = at(stand + distance * dvec3(std::cos(away), 0, -std::sin(away)), away);
   lean = glm::translate(lean, dvec3(0, radius * std::sin(tilt), 0));
   lid.model = glm::rotate(lean, -tilt, dvec3(0, 0, 1));

@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kStages = {"bump", "spot", "specular", "shadows", "final"};
 constexpr int kUnits = 3;
+constexpr double kHighlight = 0.75;  // keeps the brightest light's color below 1
 
 // The stencil byte: one bit a light for "already darkened", and the receiver above them.
 constexpr GLuint kShadowBits = (1U << kLights) - 1;
@@ -65,9 +66,10 @@ void modulate() {
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
 }
 
+// Clamped here, since not every implementation clamps the current color before it is used.
 void setColor(const glm::dvec3& rgb, double alpha = 1) {
-  glColor4f(static_cast<float>(rgb.r), static_cast<float>(rgb.g), static_cast<float>(rgb.b),
-            static_cast<float>(alpha));
+  const glm::vec4 color(glm::clamp(rgb, 0.0, 1.0), alpha);
+  glColor4f(color.r, color.g, color.b, color.a);
 }
 
 // Texture coordinates of a unit from the mesh's own coordinates or from its positions.
@@ -159,7 +161,7 @@ void Lighting::setup() {
   ramp_ = room::makeTexture(rampImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE, GL_ALPHA);
   if (room::hasExtension("GL_OES_texture_cube_map")) {
     texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
-    highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Mipmapped);
+    highlight_ = room::makeCubeTexture(highlightFaces(), room::Filter::Linear);
   }
   glow_ = room::makeTexture(glowImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
   colors_.resize(scene_->parts().size());
@@ -410,7 +412,7 @@ void Lighting::drawSpecular(const Spotlight& light) {
     useTexCoords(1, *part.mesh);
     part.mesh->bindPositions();
     part.mesh->bindNormals();
-    setColor(light.color * part.shine);
+    setColor(light.color * (kHighlight * part.shine));
     part.mesh->draw();
   }
   glActiveTexture(GL_TEXTURE0);
