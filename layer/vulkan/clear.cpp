@@ -36,6 +36,7 @@ constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 }  // namespace
 
 bool VulkanContext::clear(render::State& state, GLbitfield mask) {
+  flushBatch();
   take(state);
   takeTarget(state);
   const render::Rect all{0, 0, target_.width, target_.height};

@@ -23,6 +23,7 @@ VulkanContext::~VulkanContext() {
 }
 
 bool VulkanContext::submit() {
+  flushBatch();
   pass_.end();
   drawsSinceSubmit_ = 0;
   if (!commands_.recording()) return !commands_.lost();

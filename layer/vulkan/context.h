@@ -75,10 +75,33 @@ class VulkanContext final : public render::Context {
     VkIndexType indexType = VK_INDEX_TYPE_UINT16;
   };
 
+  // Draws of separate primitives that were joined into one, which is not recorded yet.
+  struct Batch {
+    GLenum mode = 0;
+    uint32_t first = 0, count = 0;  // vertices; count 0: no batch
+  };
+  // The structure of the arrays, without the places where they lie.
+  struct ArrayShape {
+    bool array = false;
+    uint8_t size = 0;
+    GLenum type = 0;
+    bool operator==(const ArrayShape&) const = default;
+  };
+  using ArrayShapes = std::array<ArrayShape, gen::kAttributeCount>;
+
+  // batch.cpp
+  bool join(const render::State& state, const render::DrawCall& call);
+  bool openBatch(const render::DrawCall& call, const Geometry& geometry);
+  void flushBatch();
+  void watchColor(const render::State& state, const render::DrawCall& call);
+  void promoteColor(bool promoted);
+
   // draw.cpp
   void take(render::State& state);
   void takeTarget(const render::State& state);
-  bool takeKeys(const render::State& state);
+  bool takeKeys(render::State& state);
+  static ArrayShapes shapesOf(const gen::State& state);
+  bool keysStale(const render::State& state);
   void takeDrawState(const render::State& state);
   bool packConstants(const render::State& state);
   bool pack(Constants& constants, uint32_t size, bool packed);
@@ -142,7 +165,10 @@ class VulkanContext final : public render::Context {
   gen::Blocks blocks_;
   uint32_t units_ = 0;  // sampled
   bool arraysStale_ = true, pushStale_ = true, vertexStale_ = true, fragmentStale_ = true;
-  GLenum mode_ = 0;
+  ArrayShapes shapes_{};
+  Batch batch_;
+  bool colorPromoted_ = false;
+  uint32_t colorChanges_ = 0, colorChangesNeeded_ = 32;
 
   DrawState wanted_, sent_;
   bool nothing_ = false;

@@ -21,6 +21,13 @@ constexpr uint32_t kDrawsASubmission = 1500;
 
 }  // namespace
 
+VulkanContext::ArrayShapes VulkanContext::shapesOf(const gen::State& state) {
+  ArrayShapes shapes;
+  for (int a = 0; a < gen::kAttributeCount; ++a)
+    shapes[a] = {state.attributes[a].array, state.attributes[a].size, state.attributes[a].type};
+  return shapes;
+}
+
 void VulkanContext::take(render::State& state) {
   stale_ |= state.dirty;
   state.dirty = 0;
@@ -35,10 +42,21 @@ void VulkanContext::takeTarget(const render::State& state) {
   if (!target.same(target_)) target_ = std::move(target);
 }
 
-bool VulkanContext::takeKeys(const render::State& state) {
+// Whether something changed that the keys depend on. Arrays that lie elsewhere but look the same change no key.
+bool VulkanContext::keysStale(const render::State& state) {
+  if (!vertexShader_ || !fragmentShader_ || stale_ & gen::keyGroups() & ~gen::kGroupArrays) return true;
+  return stale_ & gen::kGroupArrays && shapesOf(state.fixed) != shapes_;
+}
+
+bool VulkanContext::takeKeys(render::State& state) {
   const gen::Profile& profile = device_.caps().profile;
+  shapes_ = shapesOf(state.fixed);
+  gen::AttributeState& color = state.fixed.attributes[gen::kColor];
+  const gen::AttributeState ownColor = color;
+  if (colorPromoted_ && !ownColor.array) color = {true, 4, GL_FLOAT, ownColor.current};
   const gen::FragmentKey fragment = gen::canonicaliseFragment(state.fixed, profile);
   const gen::VertexKey vertex = gen::canonicaliseVertex(state.fixed, fragment, profile);
+  color = ownColor;
   const bool newFragment = !fragmentShader_ || !(fragment == fragmentKey_);
   const bool newVertex = !vertexShader_ || !(vertex == vertexKey_);
   if (!newFragment && !newVertex) return true;
@@ -66,17 +84,20 @@ void VulkanContext::takeDrawState(const render::State& state) {
 
 bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
   ++stats_.draws;
-  submitEarly();
   take(state);
+  if (batch_.count && join(state, call)) return true;
+  flushBatch();
+  submitEarly();
+  watchColor(state, call);
   takeTarget(state);
-  if (stale_ & gen::keyGroups() || !vertexShader_ || !fragmentShader_)
-    if (!takeKeys(state)) return false;
+  if (keysStale(state) && !takeKeys(state)) return false;
   if (stale_ & kDrawStateGroups) takeDrawState(state);
   if (nothing_ || (!target_.color && !target_.depth)) return true;
 
   const VkCommandBuffer commands = commands_.commands();
   if (!commands || !packConstants(state)) return false;
-  if (stale_ & gen::kGroupArrays || arraysStale_) fetch_.configure(state, vertexKey_);
+  if (stale_ & gen::kGroupArrays || arraysStale_)
+    fetch_.configure(state, vertexKey_, colorPromoted_ && !state.fixed.attributes[gen::kColor].array);
   arraysStale_ = false;
   if (!fetchTextures(state)) return false;
   stale_ = 0;
@@ -88,7 +109,7 @@ bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
   if (target_.color && target_.color->alphaStale && !pass_.activeOn(target_))
     if (!opaqueAlpha(*target_.color, target_.colorLevel, target_.colorLayer)) return false;
   if (!pass_.require(target_, withDepth) || !bindAll(commands)) return false;
-  record(commands, geometry);
+  if (!openBatch(call, geometry)) record(commands, geometry);
   return true;
 }
 
@@ -169,7 +190,6 @@ bool VulkanContext::geometry(const render::DrawCall& call, Geometry& out) {
   if (expansion == Expansion::ToList || expansion == Expansion::ToListRotated)
     mode = state_->fixed.primitive == gen::PrimitiveClass::Lines ? GL_LINES : GL_TRIANGLES;
   wanted_.fixed.topology = static_cast<uint8_t>(topologyOf(mode));
-  mode_ = call.mode;
   return call.indexType ? elementsGeometry(call, expansion, out) : arraysGeometry(call, expansion, out);
 }
 

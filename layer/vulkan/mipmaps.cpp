@@ -86,6 +86,7 @@ void halve(const VulkanImage& image, ImageStore& store, int level, int layer) {
 }  // namespace
 
 bool VulkanContext::generateMipmaps(render::Image& target) {
+  flushBatch();
   VulkanImage& image = vulkan(target);
   if (image.pending.aspects && !materialise(image)) return false;
   ImageStore* const store = writableMapped(image, false);

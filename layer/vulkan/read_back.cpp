@@ -33,6 +33,7 @@ class RowReader {
 
 bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect,
                                Format format, void* out, size_t rowPitch) {
+  flushBatch();
   const Target target = targetOf(framebuffer);
   const render::Rect inside = clipped(rect, target);
   if (!target.color || inside.width <= 0 || inside.height <= 0) return true;

@@ -83,6 +83,7 @@ ImageStore* VulkanContext::writableMapped(VulkanImage& image, bool whole) {
 
 bool VulkanContext::upload(render::Image& target, const render::Region& region, const void* data,
                            size_t rowPitch, size_t slicePitch) {
+  flushBatch();
   VulkanImage& image = vulkan(target);
   if (region.width <= 0 || region.height <= 0 || region.depth <= 0) return true;
   const bool whole = isWhole(image, region);
@@ -139,6 +140,7 @@ bool VulkanContext::uploadStaged(VulkanImage& image, const render::Region& regio
 
 bool VulkanContext::copyFromFramebuffer(render::Image& target, const render::Region& region,
                                         const render::Framebuffer& source, int x, int y) {
+  flushBatch();
   VulkanImage& image = vulkan(target);
   if (!source.color.image) return true;
   // Only pixels inside the framebuffer count.
@@ -205,6 +207,7 @@ bool VulkanContext::copyThroughMemory(VulkanImage& image, const render::Region& 
 }
 
 bool VulkanContext::copyLevel(render::Image& target, int level, render::Image& origin, int sourceLevel) {
+  flushBatch();
   VulkanImage& image = vulkan(target);
   VulkanImage& source = vulkan(origin);
   if (source.pending.aspects && !materialise(source)) return false;

@@ -84,6 +84,15 @@ VertexFetch::Source VertexFetch::source(const render::State& state, const gen::V
   const uint32_t size = std::clamp<uint32_t>(array.size, 1, 4);
   Source s{};
   s.attribute = attribute;
+  if (attribute == gen::kColor && constantColor_) {
+    s.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    s.bytes = sizeof array.current;
+    s.component = 4;
+    s.pointer = reinterpret_cast<const std::byte*>(&array.current);
+    s.limit = UINT64_MAX;
+    s.gather = true;
+    return s;
+  }
   s.component = component;
   s.bytes = size * component;
   s.stride = where.stride ? where.stride : s.bytes;
@@ -104,7 +113,8 @@ VertexFetch::Source VertexFetch::source(const render::State& state, const gen::V
   return s;
 }
 
-void VertexFetch::configure(const render::State& state, const gen::VertexKey& key) {
+void VertexFetch::configure(const render::State& state, const gen::VertexKey& key, bool constantColor) {
+  constantColor_ = constantColor;
   const uint32_t read = gen::attributesRead(key);
   count_ = 0;
   gathered_ = 0;
@@ -170,6 +180,39 @@ void VertexFetch::bindArena(uint32_t mask, uint32_t stride) {
   }
 }
 
+void VertexFetch::gather(uint32_t first, uint32_t count, uint32_t stride, std::byte* to) {
+  for (uint32_t i = 0; i < count_; ++i) {
+    if (!(gathered_ >> i & 1)) continue;
+    const Source& s = sources_[i];
+    const std::byte* const from = s.buffer ? s.buffer->contents() + s.offset : s.pointer;
+    copyElements(s.bytes, from + size_t{first} * s.stride, s.stride, to + place_[i], stride, count);
+  }
+}
+
+bool VertexFetch::append(const render::State& state, uint32_t first, uint32_t count, Stream& stream,
+                         const CommandStream& commands) {
+  for (uint32_t i = 0; i < count_; ++i) {
+    const gen::Attribute attribute = sources_[i].attribute;
+    if (attribute == gen::kColor && constantColor_) continue;
+    if (state.arrays[attribute].buffer || !state.arrays[attribute].pointer) return false;
+  }
+  const VkDeviceSize bytes = VkDeviceSize{arena_.stride} * count;
+  if (arena_.stride == 0 || arena_.recording != commands.recordingId() ||
+      !stream.extend(arena_.piece, arena_.used, bytes))
+    return false;
+  for (uint32_t i = 0; i < count_; ++i) {
+    Source& s = sources_[i];
+    if (s.attribute == gen::kColor && constantColor_) continue;
+    const render::VertexArray& where = state.arrays[s.attribute];
+    s.pointer = static_cast<const std::byte*>(where.pointer);
+    s.stride = where.stride ? where.stride : s.bytes;
+  }
+  std::byte* const to = arena_.piece.mapped + arena_.used;
+  arena_.used += bytes;
+  gather(first, count, arena_.stride, to);
+  return true;
+}
+
 bool VertexFetch::fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands) {
   const uint32_t all = (1u << count_) - 1;
   const bool mixed = gathered_ != 0 && gathered_ != all;
@@ -179,12 +222,7 @@ bool VertexFetch::fetchRange(uint32_t first, uint32_t count, Stream& stream, Com
     uint32_t base;
     std::byte* const to = reserve(stride, count, mixed, stream, commands, base);
     if (!to) return false;
-    for (uint32_t i = 0; i < count_; ++i) {
-      if (!(gathered_ >> i & 1)) continue;
-      const Source& s = sources_[i];
-      const std::byte* from = s.buffer ? s.buffer->contents() + s.offset : s.pointer;
-      copyElements(s.bytes, from + size_t{first} * s.stride, s.stride, to + place_[i], stride, count);
-    }
+    gather(first, count, stride, to);
     bindArena(gathered_, stride);
     vertexOffset_ = static_cast<int32_t>(base - first);
   }

@@ -20,14 +20,20 @@ class VertexFetch {
   explicit VertexFetch(VulkanDevice& device) : device_(device) {}
 
   // Takes over the arrays that the vertex shader reads. To be called when they or the key changed.
-  void configure(const render::State& state, const gen::VertexKey& key);
+  // `constantColor`: the color is no array of GL's, but every vertex gets the current one.
+  void configure(const render::State& state, const gen::VertexKey& key, bool constantColor);
 
   bool gathers() const { return gathered_ != 0; }
+  bool gathersAll() const { return count_ > 0 && gathered_ == (1u << count_) - 1; }
   // Whether vertices below `end` lie inside all buffers.
   bool inside(uint64_t end) const;
 
   // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
   bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
+  // Gathers vertices behind those of the last fetchRange, with the same arrays at other places: one more draw can
+  // then be one with the last. False, and nothing is changed: they must be fetched anew.
+  bool append(const render::State& state, uint32_t first, uint32_t count, Stream& stream,
+              const CommandStream& commands);
   // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies
   // outside a buffer is zero.
   bool fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, Stream& stream,
@@ -66,11 +72,13 @@ class VertexFetch {
   std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream,
                      const CommandStream& commands, uint32_t& base);
   uint32_t placeGathered(uint32_t mask);
+  void gather(uint32_t first, uint32_t count, uint32_t stride, std::byte* to);
   void bindArena(uint32_t mask, uint32_t stride);
 
   VulkanDevice& device_;
   std::array<Source, gen::kAttributeCount> sources_{};
   uint32_t count_ = 0;
+  bool constantColor_ = false;
   uint32_t gathered_ = 0;                               // bit i: source i is always gathered
   std::array<uint32_t, gen::kAttributeCount> place_{};  // in a gathered vertex
   Arena arena_;

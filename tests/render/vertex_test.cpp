@@ -166,6 +166,41 @@ TEST_P(Vertices, SparseIndicesIntoClientMemory) {
   EXPECT_EQ(scene.at(13, 13), kBlack);
 }
 
+// Small draws are joined behind the seam: what each of them looked like must stay.
+TEST_P(Vertices, JoinedDrawsKeepTheirColorsAndOrder) {
+  Scene scene(GetParam(), 64, 64);
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  const auto shade = [](int i) { return static_cast<float>(i % 256) / 255; };
+  const auto cell = [&](int i, float size) {
+    const float x = static_cast<float>(i % 16) / 8 - 1, y = static_cast<float>(i / 16) / 8 - 1;
+    const float corners[] = {x, y, x + size, y, x, y + size, x + size, y, x + size, y + size, x, y + size};
+    scene.array(gen::kPosition, corners, 2);
+    scene.draw(GL_TRIANGLES, 6);
+  };
+  for (int i = 0; i < 256; ++i) {
+    scene.color(1, 1, 1);
+    cell(i, 0.125f);
+    scene.color(shade(i), shade(255 - i), 0);
+    cell(i, 0.125f);
+    if (i == 100) scene.clear(GL_DEPTH_BUFFER_BIT);
+  }
+  const auto pixels = scene.read();
+  for (int i = 0; i < 256; ++i) {
+    const Pixel expected{static_cast<uint8_t>(i), static_cast<uint8_t>(255 - i), 0, 255};
+    EXPECT_EQ(pixels[static_cast<size_t>(i / 16 * 4 + 1) * 64 + i % 16 * 4 + 1], expected) << i;
+  }
+  // Incomplete primitives are dropped from each draw alone.
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  const float corners[] = {-1, -1, 1, -1, -1, 1, 1, 1, 1, 1};
+  scene.color(1, 1, 1);
+  for (int i = 0; i < 3; ++i) {
+    scene.array(gen::kPosition, corners, 2);
+    scene.draw(GL_TRIANGLES, 5);
+  }
+  EXPECT_EQ(scene.at(60, 60), kBlack);
+  EXPECT_EQ(scene.at(5, 5), kWhite);
+}
+
 INSTANTIATE_TEST_SUITE_P(Profiles, Vertices, testing::Values(false, true), profileName);
 
 }  // namespace
