@@ -406,7 +406,7 @@ std::string declareVertexConstants(const VertexKey& key) {
 std::string declareFragmentConstants(const FragmentKey& key) {
   Declare declare;
   visitFragment(key, [&](const Member& m) { declare(m); });
-  return declare.block("layout(std140, set = 0, binding = 1) uniform Fragment");
+  return declare.block("layout(std140, set = 2, binding = 0) uniform Fragment");
 }
 
 Blocks blocks(const VertexKey& vertex, const FragmentKey& fragment) {

@@ -1,5 +1,5 @@
-// Consecutive draws of separate primitives from client memory that differ only in their vertices become one draw: on
-// every driver the cost of a small draw is the draw, not its vertices.
+// Consecutive draws of separate primitives from client memory that differ only in their vertices become one
+// draw: on every driver the cost of a small draw is the draw, not its vertices.
 #include <bit>
 
 #include "layer/vulkan/context.h"
@@ -14,10 +14,14 @@ constexpr uint32_t kMostBatched = 1 << 16;
 // Vertices of a primitive of a mode that draws separate ones; 0: another mode.
 uint32_t verticesOf(GLenum mode) {
   switch (mode) {
-    case GL_POINTS: return 1;
-    case GL_LINES: return 2;
-    case GL_TRIANGLES: return 3;
-    default: return 0;
+    case GL_POINTS:
+      return 1;
+    case GL_LINES:
+      return 2;
+    case GL_TRIANGLES:
+      return 3;
+    default:
+      return 0;
   }
 }
 
@@ -25,7 +29,8 @@ uint32_t verticesOf(GLenum mode) {
 
 // Appends the draw to the open batch. False: it is not of its kind.
 bool VulkanContext::join(const render::State& state, const render::DrawCall& call) {
-  const gen::Groups harmless = gen::kGroupArrays | (colorPromoted_ ? gen::Groups{gen::kGroupCurrentColor} : 0);
+  const gen::Groups harmless =
+      gen::kGroupArrays | (colorPromoted_ ? gen::Groups{gen::kGroupCurrentColor} : 0);
   if (stale_ & ~harmless || call.mode != batch_.mode || call.indexType || call.first < 0) return false;
   const uint32_t each = verticesOf(call.mode);
   const auto count = static_cast<uint32_t>(call.count) / each * each;
@@ -52,12 +57,13 @@ void VulkanContext::flushBatch() {
   batch_.count = 0;
 }
 
-// A program that changes the current color between small draws from client memory has it copied to each vertex, so
-// that these draws can be one. That takes a shader of its own: it must have happened often, in a row.
+// A program that changes the current color between small draws from client memory has it copied to each
+// vertex, so that these draws can be one. That takes a shader of its own: it must have happened often, in a
+// row.
 void VulkanContext::watchColor(const render::State& state, const render::DrawCall& call) {
   const bool fits = verticesOf(call.mode) != 0 && !call.indexType &&
-                    static_cast<uint32_t>(call.count) <= kMostJoined && !state.fixed.attributes[gen::kColor].array &&
-                    !state.arrays[gen::kPosition].buffer;
+                    static_cast<uint32_t>(call.count) <= kMostJoined &&
+                    !state.fixed.attributes[gen::kColor].array && !state.arrays[gen::kPosition].buffer;
   if (!fits) return promoteColor(false);
   if (colorPromoted_) return;
   const bool colorOnly = stale_ & gen::kGroupCurrentColor &&

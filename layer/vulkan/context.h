@@ -38,6 +38,10 @@ class VulkanContext final : public render::Context {
   const render::Stats& stats() const override;
 
  private:
+  struct BoundSet {
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    uint32_t offset = 0;
+  };
   // What the present recording has bound.
   struct Bound {
     uint64_t recording = 0;
@@ -51,8 +55,7 @@ class VulkanContext final : public render::Context {
     VkDeviceSize indexOffset = 0;
     VkIndexType indexType = VK_INDEX_TYPE_MAX_ENUM;
     uint32_t pushed = 0;  // bytes of push constants that are valid
-    VkDescriptorSet constants = VK_NULL_HANDLE;
-    uint32_t constantOffsets[2] = {0, 0};
+    BoundSet vertexConstants, fragmentConstants;
     uint32_t textures = 0;  // units
     std::array<VkImageView, gen::kMaxTextureUnits> views{};
     std::array<VkSampler, gen::kMaxTextureUnits> samplers{};
@@ -110,7 +113,7 @@ class VulkanContext final : public render::Context {
   bool bindAll(VkCommandBuffer commands);
   bool bindPipeline(VkCommandBuffer commands);
   void bindVertices(VkCommandBuffer commands);
-  bool bindConstants(VkCommandBuffer commands);
+  void bindConstants(VkCommandBuffer commands);
   bool bindTextures(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const Geometry& geometry);
   bool geometry(const render::DrawCall& call, Geometry& out);

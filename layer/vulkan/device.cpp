@@ -141,79 +141,80 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
 }
 
 bool VulkanDevice::createLayouts() {
-  VkDescriptorSetLayoutBinding constants[2]{};
-  for (uint32_t i = 0; i < 2; ++i) {
-    constants[i].binding = i;
-    constants[i].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
-    constants[i].descriptorCount = 1;
-    constants[i].stageFlags = i == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
-  }
-  VkDescriptorSetLayoutBinding textures[gen::kMaxTextureUnits]{};
-  for (uint32_t i = 0; i < gen::kMaxTextureUnits; ++i) {
-    textures[i].binding = i;
-    textures[i].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    textures[i].descriptorCount = 1;
-    textures[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT;
-  }
+  VkDescriptorSetLayoutBinding bindings[gen::kMaxTextureUnits]{};
   VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
-  info.bindingCount = 2;
-  info.pBindings = constants;
-  if (fn_.vkCreateDescriptorSetLayout(handle_, &info, nullptr, &setLayouts_[0]) != VK_SUCCESS) return false;
+  info.pBindings = bindings;
+  for (uint32_t set : {0u, 2u}) {
+    bindings[0].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+    bindings[0].descriptorCount = info.bindingCount = 1;
+    bindings[0].stageFlags = set == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
+    if (fn_.vkCreateDescriptorSetLayout(handle_, &info, nullptr, &setLayouts_[set]) != VK_SUCCESS)
+      return false;
+  }
+  for (uint32_t i = 0; i < gen::kMaxTextureUnits; ++i) {
+    bindings[i].binding = i;
+    bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    bindings[i].descriptorCount = 1;
+    bindings[i].stageFlags = VK_SHADER_STAGE_FRAGMENT_BIT;
+  }
   info.bindingCount = gen::kMaxTextureUnits;
-  info.pBindings = textures;
   if (features_.pushDescriptors) info.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
   if (fn_.vkCreateDescriptorSetLayout(handle_, &info, nullptr, &setLayouts_[1]) != VK_SUCCESS) return false;
 
   const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, kPushRange};
   VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  layout.setLayoutCount = 2;
+  layout.setLayoutCount = 3;
   layout.pSetLayouts = setLayouts_;
   layout.pushConstantRangeCount = 1;
   layout.pPushConstantRanges = &push;
-  for (int i = 0; i < 3; ++i) countObject();
+  for (int i = 0; i < 4; ++i) countObject();
   return fn_.vkCreatePipelineLayout(handle_, &layout, nullptr, &pipelineLayout_) == VK_SUCCESS;
 }
 
-VkDescriptorSet VulkanDevice::allocateConstantSet(VkBuffer buffer) {
-  const std::lock_guard lock(mutex_);
-  if (freeConstantSets_.empty()) {
-    const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, 2 * kSetsAPool};
-    VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    pool.maxSets = kSetsAPool;
-    pool.poolSizeCount = 1;
-    pool.pPoolSizes = &size;
-    VkDescriptorPool made;
-    if (fn_.vkCreateDescriptorPool(handle_, &pool, nullptr, &made) != VK_SUCCESS) return VK_NULL_HANDLE;
-    countObject();
-    constantPools_.push_back(made);
-    const std::vector<VkDescriptorSetLayout> layouts(kSetsAPool, setLayouts_[0]);
-    freeConstantSets_.resize(kSetsAPool);
+bool VulkanDevice::growConstantSets() {
+  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, 2 * kSetsAPool};
+  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  pool.maxSets = 2 * kSetsAPool;
+  pool.poolSizeCount = 1;
+  pool.pPoolSizes = &size;
+  VkDescriptorPool made;
+  if (fn_.vkCreateDescriptorPool(handle_, &pool, nullptr, &made) != VK_SUCCESS) return false;
+  countObject();
+  constantPools_.push_back(made);
+  const VkDescriptorSetLayout layouts[2] = {setLayouts_[0], setLayouts_[2]};
+  for (uint32_t i = 0; i < kSetsAPool; ++i) {
     VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
     info.descriptorPool = made;
-    info.descriptorSetCount = kSetsAPool;
-    info.pSetLayouts = layouts.data();
-    if (fn_.vkAllocateDescriptorSets(handle_, &info, freeConstantSets_.data()) != VK_SUCCESS) {
-      freeConstantSets_.clear();
-      return VK_NULL_HANDLE;
-    }
+    info.descriptorSetCount = 2;
+    info.pSetLayouts = layouts;
+    VkDescriptorSet sets[2];
+    if (fn_.vkAllocateDescriptorSets(handle_, &info, sets) != VK_SUCCESS) break;
+    freeConstantSets_.push_back({sets[0], sets[1]});
   }
-  const VkDescriptorSet set = freeConstantSets_.back();
-  freeConstantSets_.pop_back();
-  const VkDescriptorBufferInfo shown{buffer, 0, kConstantRange};
-  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
-  write.dstSet = set;
-  write.descriptorCount = 1;
-  write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
-  write.pBufferInfo = &shown;
-  VkWriteDescriptorSet writes[2] = {write, write};
-  writes[1].dstBinding = 1;
-  fn_.vkUpdateDescriptorSets(handle_, 2, writes, 0, nullptr);
-  return set;
+  return !freeConstantSets_.empty();
 }
 
-void VulkanDevice::freeConstantSet(VkDescriptorSet set) {
+ConstantSets VulkanDevice::allocateConstantSets(VkBuffer buffer) {
   const std::lock_guard lock(mutex_);
-  freeConstantSets_.push_back(set);
+  if (freeConstantSets_.empty() && !growConstantSets()) return {};
+  const ConstantSets sets = freeConstantSets_.back();
+  freeConstantSets_.pop_back();
+  const VkDescriptorBufferInfo shown{buffer, 0, kConstantRange};
+  VkWriteDescriptorSet writes[2];
+  for (VkWriteDescriptorSet& write : writes) {
+    write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = &write == writes ? sets.vertex : sets.fragment;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
+    write.pBufferInfo = &shown;
+  }
+  fn_.vkUpdateDescriptorSets(handle_, 2, writes, 0, nullptr);
+  return sets;
+}
+
+void VulkanDevice::freeConstantSets(const ConstantSets& sets) {
+  const std::lock_guard lock(mutex_);
+  freeConstantSets_.push_back(sets);
 }
 
 bool VulkanDevice::vertexFormat(VkFormat format) const {

@@ -12,6 +12,7 @@
 #include "layer/vulkan/formats.h"
 #include "layer/vulkan/instance.h"
 #include "layer/vulkan/memory.h"
+#include "layer/vulkan/stream.h"
 #include "layer/vulkan/vulkan_device.h"
 
 namespace anteroom::vulkan {
@@ -65,13 +66,13 @@ class VulkanDevice : public render::Device {
   PipelineCache& pipelines() { return *pipelines_; }
   LegacyPasses& legacyPasses() { return *legacyPasses_; }
 
-  // Set 0: vertex and fragment constants (dynamic offsets). Set 1: a texture a unit. One layout for all
-  // pipelines, so that nothing that is bound is disturbed by another pipeline.
+  // The sets of gen/gen.h. One layout for all pipelines, so that nothing that is bound is disturbed by
+  // another one.
   VkPipelineLayout pipelineLayout() const { return pipelineLayout_; }
   VkDescriptorSetLayout textureSetLayout() const { return setLayouts_[1]; }
-  // A set 0 that shows `buffer`. Null: out of memory. Give it back with freeConstantSet.
-  VkDescriptorSet allocateConstantSet(VkBuffer buffer);
-  void freeConstantSet(VkDescriptorSet set);
+  // Sets that show `buffer`. Null: out of memory. Give them back with freeConstantSets.
+  ConstantSets allocateConstantSets(VkBuffer buffer);
+  void freeConstantSets(const ConstantSets& sets);
 
   // New images leave their first layout at the head of the next submission, whoever makes it.
   void addFreshImage(const FreshImage& image);
@@ -90,6 +91,7 @@ class VulkanDevice : public render::Device {
   VulkanDevice() = default;
   bool initialise(const DeviceOptions& options, std::string& error);
   bool createLayouts();
+  bool growConstantSets();
   void fillCaps(const VkPhysicalDeviceProperties& properties);
   int commonSamples() const;
 
@@ -103,12 +105,12 @@ class VulkanDevice : public render::Device {
   StoreFormats formats_;
   std::atomic<uint64_t> objects_{0}, memoryAllocations_{0};
 
-  VkDescriptorSetLayout setLayouts_[2]{};
+  VkDescriptorSetLayout setLayouts_[3]{};
   VkPipelineLayout pipelineLayout_ = VK_NULL_HANDLE;
 
   std::mutex mutex_;  // guards what follows
   std::vector<VkDescriptorPool> constantPools_;
-  std::vector<VkDescriptorSet> freeConstantSets_;
+  std::vector<ConstantSets> freeConstantSets_;
   std::vector<FreshImage> freshImages_;
 
   std::unique_ptr<MemoryPool> memory_;

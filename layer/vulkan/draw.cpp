@@ -42,7 +42,8 @@ void VulkanContext::takeTarget(const render::State& state) {
   if (!target.same(target_)) target_ = std::move(target);
 }
 
-// Whether something changed that the keys depend on. Arrays that lie elsewhere but look the same change no key.
+// Whether something changed that the keys depend on. Arrays that lie elsewhere but look the same change no
+// key.
 bool VulkanContext::keysStale(const render::State& state) {
   if (!vertexShader_ || !fragmentShader_ || stale_ & gen::keyGroups() & ~gen::kGroupArrays) return true;
   return stale_ & gen::kGroupArrays && shapesOf(state.fixed) != shapes_;
@@ -160,7 +161,8 @@ bool VulkanContext::fetchTextures(const render::State& state) {
       const render::TextureBinding& binding = state.textures[unit];
       if (!binding.image) return false;
       sampled_[unit] = static_cast<VulkanImage*>(binding.image);
-      samplers_[unit] = device_.samplers().get(binding.sampler, sampled_[unit]->desc().levels);
+      samplers_[unit] = device_.samplers().get(binding.sampler, sampled_[unit]->desc().levels,
+                                               state.fixed.units[unit].env.lodBias);
     }
     VulkanImage& image = *sampled_[unit];
     if (image.pending.aspects && !materialise(image)) return false;
@@ -293,7 +295,8 @@ bool VulkanContext::bindAll(VkCommandBuffer commands) {
   emit(device_.fn(), commands, device_.features(), pass_.formats().samples, wanted_, sent_,
        !bound_.stateSent);
   bound_.stateSent = true;
-  return bindConstants(commands) && bindTextures(commands);
+  bindConstants(commands);
+  return bindTextures(commands);
 }
 
 bool VulkanContext::bindPipeline(VkCommandBuffer commands) {
@@ -359,41 +362,25 @@ void VulkanContext::bindVertices(VkCommandBuffer commands) {
   bound_.arrays = std::max(bound_.arrays, end);
 }
 
-bool VulkanContext::bindConstants(VkCommandBuffer commands) {
+void VulkanContext::bindConstants(VkCommandBuffer commands) {
   const auto& fn = device_.fn();
   if (bound_.pushed < blocks_.pushSize) {
     fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0, blocks_.pushSize,
                           push_.data());
     bound_.pushed = blocks_.pushSize;
   }
-  if (!blocks_.vertexSize && !blocks_.fragmentSize) return true;
-  // Both blocks are seen through one set: they must lie in one buffer.
-  Constants& other = blocks_.vertexSize ? vertexConstants_ : fragmentConstants_;
-  if (blocks_.vertexSize && blocks_.fragmentSize &&
-      vertexConstants_.piece.buffer != fragmentConstants_.piece.buffer) {
-    vertexConstants_.recording = fragmentConstants_.recording = 0;
-    if (!pack(vertexConstants_, blocks_.vertexSize, true) ||
-        !pack(fragmentConstants_, blocks_.fragmentSize, true))
-      return false;
-    if (vertexConstants_.piece.constants != fragmentConstants_.piece.constants) {
-      vertexConstants_.recording = 0;
-      if (!pack(vertexConstants_, blocks_.vertexSize, true)) return false;
-    }
-  }
-  const VkDescriptorSet set = other.piece.constants;
-  uint32_t offsets[2] = {bound_.constantOffsets[0], bound_.constantOffsets[1]};
-  if (set != bound_.constants) offsets[0] = offsets[1] = static_cast<uint32_t>(other.piece.offset);
-  if (blocks_.vertexSize) offsets[0] = static_cast<uint32_t>(vertexConstants_.piece.offset);
-  if (blocks_.fragmentSize) offsets[1] = static_cast<uint32_t>(fragmentConstants_.piece.offset);
-  if (set == bound_.constants && offsets[0] == bound_.constantOffsets[0] &&
-      offsets[1] == bound_.constantOffsets[1])
-    return true;
-  fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 0, 1, &set,
-                             2, offsets);
-  bound_.constants = set;
-  bound_.constantOffsets[0] = offsets[0];
-  bound_.constantOffsets[1] = offsets[1];
-  return true;
+  const auto bindBlock = [&](uint32_t index, VkDescriptorSet set, const Constants& constants,
+                             BoundSet& bound) {
+    const auto offset = static_cast<uint32_t>(constants.piece.offset);
+    if (set == bound.set && offset == bound.offset) return;
+    fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), index, 1,
+                               &set, 1, &offset);
+    bound = {set, offset};
+  };
+  if (blocks_.vertexSize)
+    bindBlock(0, vertexConstants_.piece.constants.vertex, vertexConstants_, bound_.vertexConstants);
+  if (blocks_.fragmentSize)
+    bindBlock(2, fragmentConstants_.piece.constants.fragment, fragmentConstants_, bound_.fragmentConstants);
 }
 
 bool VulkanContext::bindTextures(VkCommandBuffer commands) {

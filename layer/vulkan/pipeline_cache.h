@@ -4,6 +4,7 @@
 #include <volk.h>
 
 #include <array>
+#include <atomic>
 #include <cstring>
 #include <mutex>
 #include <unordered_map>
@@ -53,7 +54,7 @@ class PipelineCache {
   VulkanDevice& device_;
   std::mutex mutex_;
   std::unordered_map<PipelineKey, VkPipeline, Hash> pipelines_;
-  uint64_t created_ = 0;
+  std::atomic<uint64_t> created_{0};
 };
 
 }  // namespace anteroom::vulkan

@@ -1,6 +1,7 @@
 #include "layer/vulkan/sampler.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "layer/vulkan/device.h"
 
@@ -29,7 +30,7 @@ VkSamplerAddressMode SamplerCache::wrap(GLenum mode) const {
   }
 }
 
-SamplerCache::Key SamplerCache::canonical(const render::Sampler& s, int levels) const {
+SamplerCache::Key SamplerCache::canonical(const render::Sampler& s, int levels, float lodBias) const {
   Key key;
   key.minLinear = s.minFilter == GL_LINEAR || s.minFilter == GL_LINEAR_MIPMAP_NEAREST ||
                   s.minFilter == GL_LINEAR_MIPMAP_LINEAR;
@@ -46,6 +47,9 @@ SamplerCache::Key SamplerCache::canonical(const render::Sampler& s, int levels) 
   if (device_.features().anisotropy && key.minLinear && key.magLinear)
     key.anisotropy = static_cast<uint8_t>(
         std::clamp(s.maxAnisotropy, 1.0f, std::min(16.0f, device_.limits().maxSamplerAnisotropy)));
+  const float most = std::min(device_.limits().maxSamplerLodBias, 100.0f);
+  const bool biased = lodBias == lodBias && (key.mips || key.minLinear != key.magLinear);
+  if (biased) key.lodBias = static_cast<int16_t>(std::lround(std::clamp(lodBias, -most, most) * 256));
   return key;
 }
 
@@ -59,6 +63,7 @@ VkSampler SamplerCache::create(const Key& key) {
   info.addressModeW = static_cast<VkSamplerAddressMode>(key.wrap[2]);
   info.anisotropyEnable = key.anisotropy > 1;
   info.maxAnisotropy = key.anisotropy;
+  info.mipLodBias = static_cast<float>(key.lodBias) / 256;
   // Without mip levels a little room above 0 still tells minification from magnification.
   info.maxLod = key.mips ? key.maxLevel : 0.25f;
   if (!key.mips && key.minLinear == key.magLinear) info.maxLod = 0;
@@ -69,8 +74,8 @@ VkSampler SamplerCache::create(const Key& key) {
   return sampler;
 }
 
-VkSampler SamplerCache::get(const render::Sampler& sampler, int levels) {
-  const Key key = canonical(sampler, levels);
+VkSampler SamplerCache::get(const render::Sampler& sampler, int levels, float lodBias) {
+  const Key key = canonical(sampler, levels, lodBias);
   const std::lock_guard lock(mutex_);
   for (const Entry& entry : entries_)
     if (entry.key == key) return entry.sampler;

@@ -18,8 +18,8 @@ class SamplerCache {
   explicit SamplerCache(VulkanDevice& device) : device_(device) {}
   ~SamplerCache();
 
-  // For an image of `levels` levels. Null: out of memory.
-  VkSampler get(const render::Sampler& sampler, int levels);
+  // For an image of `levels` levels; `lodBias`: TEXTURE_LOD_BIAS. Null: out of memory.
+  VkSampler get(const render::Sampler& sampler, int levels, float lodBias);
 
  private:
   // What is left of a sampler when all that cannot matter is fixed. Bytes only.
@@ -28,13 +28,14 @@ class SamplerCache {
     uint8_t wrap[3]{};
     uint8_t anisotropy = 1;
     uint16_t maxLevel = 0;
+    int16_t lodBias = 0;  // 256 is 1
     bool operator==(const Key&) const = default;
   };
   struct Entry {
     Key key;
     VkSampler sampler;
   };
-  Key canonical(const render::Sampler& sampler, int levels) const;
+  Key canonical(const render::Sampler& sampler, int levels, float lodBias) const;
   VkSamplerAddressMode wrap(GLenum mode) const;
   VkSampler create(const Key& key);
 

@@ -3,6 +3,7 @@
 
 #include <volk.h>
 
+#include <atomic>
 #include <cstring>
 #include <memory>
 #include <mutex>
@@ -54,7 +55,7 @@ class ShaderLibrary {
   Map<gen::FragmentKey> fragment_;
   std::unordered_map<const char*, Shader> own_;
   uint32_t nextId_ = 1;
-  uint64_t compiled_ = 0;
+  std::atomic<uint64_t> compiled_{0};
 };
 
 }  // namespace anteroom::vulkan

@@ -19,7 +19,7 @@ Stream::Stream(VulkanDevice& device, Purpose purpose, VkDeviceSize blockSize)
 
 Stream::~Stream() {
   for (Block& block : blocks_) {
-    if (block.constants) device_.freeConstantSet(block.constants);
+    if (block.constants.vertex) device_.freeConstantSets(block.constants);
     device_.memory().free(block.memory);
   }
 }
@@ -53,8 +53,8 @@ bool Stream::nextBlock(VkDeviceSize size) {
   block.memory = device_.memory().allocateBuffer(use, std::max(blockSize_, std::bit_ceil(size)) + extra);
   if (!block.memory) return false;
   if (purpose_ == Purpose::Constants) {
-    block.constants = device_.allocateConstantSet(block.memory.buffer);
-    if (!block.constants) {
+    block.constants = device_.allocateConstantSets(block.memory.buffer);
+    if (!block.constants.vertex) {
       device_.memory().free(block.memory);
       return false;
     }

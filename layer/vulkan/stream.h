@@ -13,12 +13,17 @@ namespace anteroom::vulkan {
 
 class VulkanDevice;
 
+// The descriptor sets of a buffer of constants: for each stage the one that it looks into.
+struct ConstantSets {
+  VkDescriptorSet vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
+};
+
 // A piece of a stream. Empty: out of memory.
 struct StreamPiece {
   std::byte* mapped = nullptr;
   VkBuffer buffer = VK_NULL_HANDLE;
   VkDeviceSize offset = 0;
-  VkDescriptorSet constants = VK_NULL_HANDLE;  // set 0 for pieces of a stream of constants
+  ConstantSets constants;  // of a stream of constants
   explicit operator bool() const { return mapped != nullptr; }
 };
 
@@ -38,7 +43,7 @@ class Stream {
  private:
   struct Block {
     Allocation memory;
-    VkDescriptorSet constants = VK_NULL_HANDLE;
+    ConstantSets constants;
     VkDeviceSize head = 0;
     uint64_t serial = 0;     // of the last submission that reads it
     bool recording = false;  // used since the last submission

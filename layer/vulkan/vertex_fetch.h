@@ -30,8 +30,8 @@ class VertexFetch {
 
   // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
   bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
-  // Gathers vertices behind those of the last fetchRange, with the same arrays at other places: one more draw can
-  // then be one with the last. False, and nothing is changed: they must be fetched anew.
+  // Gathers vertices behind those of the last fetchRange, with the same arrays at other places: one more draw
+  // can then be one with the last. False, and nothing is changed: they must be fetched anew.
   bool append(const render::State& state, uint32_t first, uint32_t count, Stream& stream,
               const CommandStream& commands);
   // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies

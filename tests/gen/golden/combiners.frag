@@ -1,7 +1,7 @@
 // fragment unit0=2d read0=st unit1=2d read1=st unit2=2d read2=st rgb0=interpolate(texture0,previous,texture2.a) alpha0=subtract(texture0.a,1-previous.a) rgb1=addsigned(previous,primary)*2 alpha1=modulate(previous.a,texture1.a) rgb2=interpolate(constant,previous,texture2) alpha2=modulate(previous.a,texture2.a)
 #version 450
 
-layout(std140, set = 0, binding = 1) uniform Fragment {
+layout(std140, set = 2, binding = 0) uniform Fragment {
   vec4 constant2;
 };
 layout(location = 0) out vec4 fragment;

@@ -1,7 +1,7 @@
 // fragment unit0=2d read0=st fog=linear alpha-test=greater rgb0=modulate(previous,texture0) alpha0=modulate(previous.a,texture0.a)
 #version 450
 
-layout(std140, set = 0, binding = 1) uniform Fragment {
+layout(std140, set = 2, binding = 0) uniform Fragment {
   vec3 fogColor;
   float fogEnd;
   float fogScale;

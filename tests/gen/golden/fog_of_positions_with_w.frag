@@ -1,7 +1,7 @@
 // fragment fog=exp2
 #version 450
 
-layout(std140, set = 0, binding = 1) uniform Fragment {
+layout(std140, set = 2, binding = 0) uniform Fragment {
   vec3 fogColor;
   float fogDensity;
 };
