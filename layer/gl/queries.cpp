@@ -253,7 +253,7 @@ bool getFragmentOperations(Context& c, GLenum name, Results& results) {
       results.enumerant(c.state.fixed.alphaFunc);
       break;
     case GL_ALPHA_TEST_REF:
-      results.normalised(c.state.fixed.alphaRef);
+      results.number(c.state.fixed.alphaRef);
       break;
     case GL_STENCIL_FUNC:
       results.enumerant(ops.stencilFunc);
