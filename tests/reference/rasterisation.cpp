@@ -317,6 +317,11 @@ void Rasteriser::line(const WindowPrimitive& primitive, int fromRow, int toRow,
   const int major = xMajor ? 0 : 1, minor = 1 - major;
   a[minor] -= (width - 1) / 2.0;
   b[minor] -= (width - 1) / 2.0;
+  // Both ends are perturbed by (e, e^2), which decides for segments along the corners of the diamonds.
+  constexpr double kEpsilon = 1e-6;
+  const glm::dvec2 perturbation(kEpsilon, kEpsilon * kEpsilon);
+  a -= perturbation;
+  b -= perturbation;
 
   // Does the segment leave the open diamond around the pixel's center?
   const auto exits = [&](const glm::dvec2& center) {
@@ -347,7 +352,9 @@ void Rasteriser::line(const WindowPrimitive& primitive, int fromRow, int toRow,
       if (!exits(center)) continue;
       Fragment fragment;
       fragment.samples = (1u << samples_) - 1;
-      interpolateLine(primitive, center.x, center.y + (xMajor ? (width - 1) / 2.0 : 0.0), fragment);
+      glm::dvec2 onSegment = center;
+      onSegment[minor] += (width - 1) / 2.0;
+      interpolateLine(primitive, onSegment.x, onSegment.y, fragment);
       for (int k = 0; k < width; ++k) {
         fragment.x = xMajor ? i : j + k;
         fragment.y = xMajor ? j + k : i;
