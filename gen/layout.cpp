@@ -371,11 +371,11 @@ struct Pack {
     float values[16] = {};
     m.value(state, m.index, values);
     const uint32_t at = alignUp(offset, info(m.type).align);
-    std::memset(out + offset, 0, at - offset);
+    std::fill_n(out + offset, at - offset, std::byte{});
     std::memcpy(out + at, values, info(m.type).size);
     offset = at + info(m.type).size;
   }
-  void finish() const { std::memset(out + offset, 0, alignUp(offset, 16) - offset); }
+  void finish() const { std::fill_n(out + offset, alignUp(offset, 16) - offset, std::byte{}); }
 };
 
 struct Declare {

@@ -2,6 +2,7 @@
 // extreme cases.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -29,7 +30,7 @@ void expectExactWrite(Pack pack, const Key& key, const State& state, uint32_t si
   // Every byte is written: packing over other contents gives the same.
   std::vector<std::byte> zeros(size);
   pack(key, state, zeros.data());
-  ASSERT_EQ(std::memcmp(zeros.data(), bytes.data() + kGuardBytes, size), 0) << describe(key);
+  ASSERT_TRUE(std::equal(zeros.begin(), zeros.end(), bytes.begin() + kGuardBytes)) << describe(key);
 }
 
 TEST(Constants, PackWritesExactlyItsSize) {
