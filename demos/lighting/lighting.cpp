@@ -458,30 +458,31 @@ void Lighting::drawHalo(const Spotlight& light) {
 // distance.
 void Lighting::drawBeam(const Spotlight& light) {
   constexpr int kSides = 64;
+  constexpr std::size_t kPoints = 2 * (kSides + 1);
   constexpr int kRings = 16;
   constexpr double kLength = 4.2;
   const glm::dvec3 side = glm::normalize(glm::cross(light.direction, light.up));
   const glm::dvec3 other = glm::cross(side, light.direction);
   const double slope = std::tan(light.halfAngle * 0.92);
   glEnableClientState(GL_COLOR_ARRAY);
-  std::array<glm::vec3, 2 * (kSides + 1)> points;
-  std::array<glm::vec4, 2 * (kSides + 1)> colors;
+  std::array<glm::vec3, kPoints> points;
+  std::array<glm::vec4, kPoints> colors;
   glVertexPointer(3, GL_FLOAT, 0, points.data());
   glColorPointer(4, GL_FLOAT, 0, colors.data());
   for (int ring = 0; ring < kRings; ++ring) {
-    for (int i = 0; i < 2 * (kSides + 1); ++i) {
-      const double along = kLength * (ring + i % 2) / kRings;
-      const double angle = glm::two_pi<double>() * (i / 2) / kSides;
+    for (std::size_t i = 0; i < kPoints; ++i) {
+      const auto corner = static_cast<double>(i / 2);
+      const double along = kLength * (ring + static_cast<double>(i % 2)) / kRings;
+      const double angle = glm::two_pi<double>() * corner / kSides;
       const glm::dvec3 out = side * std::cos(angle) + other * std::sin(angle);
       const glm::dvec3 point = light.position + light.direction * along + out * (slope * along);
       const glm::dvec3 normal = glm::normalize(out - light.direction * slope);
       const double facing = glm::dot(normal, glm::normalize(eye_ - point));
       const double fade = 1 - along / kLength;
-      points[static_cast<std::size_t>(i)] = point;
-      colors[static_cast<std::size_t>(i)] =
-          glm::vec4(light.color * (light.beam * fade * fade * facing * facing), 1.0);
+      points[i] = point;
+      colors[i] = glm::vec4(light.color * (light.beam * fade * fade * facing * facing), 1.0);
     }
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (kSides + 1));
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, static_cast<GLsizei>(kPoints));
   }
   glDisableClientState(GL_COLOR_ARRAY);
 }
