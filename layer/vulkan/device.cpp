@@ -22,7 +22,9 @@ namespace {
 constexpr uint32_t kSetsAPool = 64;
 
 // A CPU driver allocates and frees its scene blocks with malloc: glibc's defaults give the pages back to the
-// kernel and fault them in again at every frame.
+// kernel and fault them in again at every frame. The smallest powers of two that end it in a frame of 5,000
+// draws with a change of state between: with a quarter of either there are five to seventeen times the page
+// faults.
 void keepPages() {
 #ifdef __GLIBC__
   const char* setting = std::getenv("ANTEROOM_MALLOPT");
