@@ -1,4 +1,7 @@
 // Clears, draws and what the fragments go through, on the full and on the minimal profile.
+#include <functional>
+#include <thread>
+
 #include "layer/vulkan/vulkan_device.h"
 #include "tests/render/scene.h"
 
@@ -247,6 +250,28 @@ TEST_P(Draw, LineLoopsAreClosed) {
   int lit = 0;
   for (const Pixel& pixel : scene.read()) lit += pixel[0] == 255;
   EXPECT_NEAR(lit, 32, 2);
+}
+
+TEST_P(Draw, ContextsOnTwoThreadsShareTheDevice) {
+  device(GetParam());
+  const auto paint = [&](float red, int& wrong) {
+    Scene scene(GetParam());
+    for (int i = 0; i < 100; ++i) {
+      const float green = static_cast<float>(i) / 255;
+      scene.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      scene.state.ops.depthTest = i % 2;
+      scene.state.dirty |= gen::kGroupFragmentOps;
+      scene.color(red, green, 0);
+      scene.cover();
+      wrong += scene.at(8, 8) != Pixel{static_cast<uint8_t>(red * 255), static_cast<uint8_t>(i), 0, 255};
+    }
+  };
+  int wrong[2] = {0, 0};
+  std::thread other(paint, 1.0f, std::ref(wrong[1]));
+  paint(0.0f, wrong[0]);
+  other.join();
+  EXPECT_EQ(wrong[0], 0);
+  EXPECT_EQ(wrong[1], 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Draw, testing::Values(false, true), profileName);
