@@ -52,11 +52,11 @@ struct CompileResult {
 CompileResult compile(Stage stage, const std::string& glsl);
 void warmCompiler();
 
-// ---- What a pipeline must bind -----------------------------------------------------------------------------
+// ---- What a pipeline must bind ----
 // Set 0, binding 0: the vertex constants. Set 1, binding u: the texture of unit u, only the units that the
 // fragment key samples. Set 2, binding 0: the fragment constants. Constants are uniform buffers with dynamic
-// offsets, each in a set of its own: drivers that look at sets stage by stage leave the other stage alone when
-// one changes. Push constants: vertex stage only, from byte 0.
+// offsets, each in a set of its own: drivers that look at sets stage by stage leave the other stage alone
+// when one changes. Push constants: vertex stage only, from byte 0.
 
 // Images: a sampled texel has 0 for a color and 1 for an alpha that its base format has not (table 3.9):
 // ALPHA reads as (0, 0, 0, A), LUMINANCE as (L, L, L, 1), LUMINANCE_ALPHA as (L, L, L, A), RGB as (R, G, B,
