@@ -223,9 +223,14 @@ TEST_F(QueryTest, IntegersAndEnumsReadAsThemselves) {
 
 TEST_F(QueryTest, NormalisedValuesFillTheRangeOfInt) {
   for (GLenum name : {GL_DEPTH_CLEAR_VALUE, GL_CURRENT_COLOR}) EXPECT_EQ(integer(name), 0x7FFFFFFF);
-  for (GLenum name : {GL_FOG_COLOR, GL_ALPHA_TEST_REF, GL_DEPTH_RANGE}) EXPECT_EQ(integer(name), 0);
-  glAlphaFunc(GL_LESS, 1);
-  EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 0x7FFFFFFF);
+  for (GLenum name : {GL_FOG_COLOR, GL_DEPTH_RANGE}) EXPECT_EQ(integer(name), 0);
+}
+
+// Section 6.1.2 names what is mapped to the whole range, and the alpha reference is not among it.
+TEST_F(QueryTest, AlphaReferenceIsRounded) {
+  EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 0);
+  glAlphaFunc(GL_LESS, 0.75f);
+  EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 1);
 }
 
 TEST_F(QueryTest, EnvironmentOfTable615) {

@@ -20,9 +20,23 @@ std::unique_ptr<render::Device> make(bool minimal, bool validation) {
 
 }  // namespace
 
+namespace {
+
+// Devices end with the tests: at exit the globals of driver and layers may be gone before ours.
+class Devices final : public ::testing::Environment {
+ public:
+  void TearDown() override {
+    for (auto& pair : held)
+      for (auto& device : pair) device.reset();
+  }
+  std::unique_ptr<render::Device> held[2][2];
+};
+Devices& devices = *static_cast<Devices*>(::testing::AddGlobalTestEnvironment(new Devices));
+
+}  // namespace
+
 render::Device& device(bool minimal, bool validation) {
-  static std::unique_ptr<render::Device> devices[2][2];
-  auto& held = devices[minimal][validation];
+  auto& held = devices.held[minimal][validation];
   if (!held) held = make(minimal, validation);
   return *held;
 }
