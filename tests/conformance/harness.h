@@ -116,6 +116,11 @@ class Cells {
     if (rows_.size() == capacity()) check();
   }
   void check();
+  // What the last row must become, where only drawing it tells.
+  void expectLast(const Vec4& expected, double tolerance) {
+    rows_.back().expected = expected;
+    rows_.back().tolerance = tolerance;
+  }
 
  private:
   struct Row {

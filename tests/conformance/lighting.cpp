@@ -178,6 +178,24 @@ TEST_F(Lighting, SpotCutoff90LightsBehind) {
   expectScenes({{"cutoff 90 from behind", kDull, kNoAmbient, {light}}});
 }
 
+// 2.12.1 (2.5): the cone has no condition on w: a directional light may be a spotlight, too.
+TEST_F(Lighting, DirectionalSpotLights) {
+  MESA_DISAGREES("2.12.1", "directional lights have no cone");
+  std::vector<Scene> scenes;
+  for (double cutoff : {30.0, 80.0}) {
+    for (double angle : {0.0, 20.0, 50.0, 85.0}) {
+      LightParameters light;
+      light.diffuse = kWhite;
+      light.position = {std::sin(angle * std::numbers::pi / 180), 0, std::cos(angle * std::numbers::pi / 180),
+                        0};
+      light.spotCutoff = cutoff;
+      light.spotExponent = 2;
+      scenes.push_back({fmt::format("cutoff {} at {} degrees", cutoff, angle), kDull, kNoAmbient, {light}});
+    }
+  }
+  expectScenes(scenes);
+}
+
 // 2.12.1: the specular term over shininess and direction; shininess 0 gives factor 1 where n.l is not 0.
 TEST_F(Lighting, Specular) {
   std::vector<Scene> scenes;
@@ -383,6 +401,21 @@ TEST_F(Lighting, ColorMaterial) {
   const Vec4 expected = litColor(m, {0.2, 0.2, 0.2, 1}, std::vector{light}, {0, 0, 0, 1}, {0, 0, 1});
   drawRect();
   EXPECT_PIXEL(32, 32, expected);
+}
+
+// 2.12.3: enabling it takes the colour that is current then.
+TEST_F(Lighting, ColorMaterialTakesTheCurrentColor) {
+  glColor4f(0.2f, 0.4f, 0.6f, 0.8f);
+  glEnable(GL_COLOR_MATERIAL);
+  GLfloat tracked[4] = {};
+  glGetMaterialfv(GL_FRONT, GL_DIFFUSE, tracked);
+  EXPECT_FLOAT_EQ(tracked[1], 0.4f);
+  LightParameters light;
+  light.diffuse = kWhite;
+  applySceneAmbient(kNoAmbient);
+  applyLights(std::vector{light});
+  drawRect();
+  EXPECT_PIXEL(32, 32, {0.2, 0.4, 0.6, 0.8});
 }
 
 // 2.12.3, 2.8: with a colour array every vertex has its own material.
