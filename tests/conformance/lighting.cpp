@@ -457,6 +457,21 @@ TEST_F(Lighting, FixedPointParameters) {
   EXPECT_PIXEL(32, 32, {0.5, 0.25, 0.125, 1});
 }
 
+// 2.12.5: a lit colour above 1 is 1 before anything else is made of it.
+TEST_F(Lighting, LitColorIsClampedBeforeTexturing) {
+  MESA_DISAGREES("2.12.5", "a lit colour is not clamped before texturing");
+  const GLfloat emission[] = {3, 0.5f, -2, 1};
+  glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, emission);
+  applySceneAmbient(kNoAmbient);
+  glEnable(GL_TEXTURE_2D);
+  solidTexture(GL_RGBA, {51, 51, 51, 255});
+  drawRect();
+  EXPECT_PIXEL(32, 32, {0.2, 0.1, 0, 1});
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_ADD);
+  drawRect();
+  EXPECT_PIXEL(32, 32, {1, 0.7, 0.2, 1});
+}
+
 // 2.12.5: without lighting the colour is clamped to [0, 1] before it is interpolated.
 TEST_F(Lighting, UnlitColorIsClamped) {
   glDisable(GL_LIGHTING);
