@@ -366,8 +366,13 @@ TEST_F(VertexArrays, ClientMemoryIsReadAtTheCall) {
 // 2.1, 2.9: a buffer changed, respecified or deleted after a draw; the draw has used what was in it.
 TEST_F(VertexArrays, BufferChangedWhileInUse) {
   const auto colors = [](GLubyte r, GLubyte g) {
-    std::vector<GLubyte> result;
-    for (int i = 0; i < 4; ++i) result.insert(result.end(), {r, g, 0, 255});
+    std::array<GLubyte, 16> result;
+    for (std::size_t i = 0; i < 16; i += 4) {
+      result[i] = r;
+      result[i + 1] = g;
+      result[i + 2] = 0;
+      result[i + 3] = 255;
+    }
     return result;
   };
   GLuint buffer = 0;
