@@ -16,7 +16,7 @@ bool isCompareFunc(GLenum func) {
 
 bool isStencilOp(GLenum op) {
   return op == GL_KEEP || op == GL_ZERO || op == GL_REPLACE || op == GL_INCR || op == GL_DECR ||
-         op == GL_INVERT;
+         op == GL_INVERT || op == GL_INCR_WRAP_OES || op == GL_DECR_WRAP_OES;
 }
 
 // Table 4.1: some factors are of one side only.
@@ -29,6 +29,28 @@ bool isSourceFactor(GLenum factor) {
 }
 bool isDestinationFactor(GLenum factor) {
   return isCommonFactor(factor) || factor == GL_SRC_COLOR || factor == GL_ONE_MINUS_SRC_COLOR;
+}
+// OES_blend_func_separate, table 4.blendfunc.
+bool isSeparateDestinationFactor(GLenum factor) {
+  return factor == GL_ZERO || factor == GL_ONE ||
+         (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR);
+}
+bool isSeparateSourceFactor(GLenum factor) {
+  return isSeparateDestinationFactor(factor) || factor == GL_SRC_ALPHA_SATURATE;
+}
+
+// OES_blend_subtract and EXT_blend_minmax.
+bool isBlendEquation(GLenum mode) {
+  return mode == GL_FUNC_ADD_OES || mode == GL_FUNC_SUBTRACT_OES || mode == GL_FUNC_REVERSE_SUBTRACT_OES ||
+         mode == GL_MIN_EXT || mode == GL_MAX_EXT;
+}
+
+void setBlendFunc(Context& c, GLenum srcRgb, GLenum dstRgb, GLenum srcAlpha, GLenum dstAlpha) {
+  anteroom::render::FragmentOps& ops = c.state.ops;
+  c.set(ops.blendSrcRgb, srcRgb, kOps);
+  c.set(ops.blendSrcAlpha, srcAlpha, kOps);
+  c.set(ops.blendDstRgb, dstRgb, kOps);
+  c.set(ops.blendDstAlpha, dstAlpha, kOps);
 }
 
 }  // namespace
@@ -119,11 +141,29 @@ GL_API void GL_APIENTRY glBlendFunc(GLenum source, GLenum destination) {
   Context* c = current();
   if (!c) return;
   if (!isSourceFactor(source) || !isDestinationFactor(destination)) return c->setError(GL_INVALID_ENUM);
-  anteroom::render::FragmentOps& ops = c->state.ops;
-  c->set(ops.blendSrcRgb, source, kOps);
-  c->set(ops.blendSrcAlpha, source, kOps);
-  c->set(ops.blendDstRgb, destination, kOps);
-  c->set(ops.blendDstAlpha, destination, kOps);
+  setBlendFunc(*c, source, destination, source, destination);
+}
+
+GL_API void GL_APIENTRY glBlendFuncSeparateOES(GLenum srcRGB, GLenum dstRGB, GLenum srcAlpha,
+                                               GLenum dstAlpha) {
+  Context* c = current();
+  if (!c) return;
+  if (!isSeparateSourceFactor(srcRGB) || !isSeparateDestinationFactor(dstRGB) ||
+      !isSeparateSourceFactor(srcAlpha) || !isSeparateDestinationFactor(dstAlpha)) {
+    return c->setError(GL_INVALID_ENUM);
+  }
+  setBlendFunc(*c, srcRGB, dstRGB, srcAlpha, dstAlpha);
+}
+
+GL_API void GL_APIENTRY glBlendEquationSeparateOES(GLenum modeRGB, GLenum modeAlpha) {
+  Context* c = current();
+  if (!c) return;
+  if (!isBlendEquation(modeRGB) || !isBlendEquation(modeAlpha)) return c->setError(GL_INVALID_ENUM);
+  c->set(c->state.ops.blendEquationRgb, modeRGB, kOps);
+  c->set(c->state.ops.blendEquationAlpha, modeAlpha, kOps);
+}
+GL_API void GL_APIENTRY glBlendEquationOES(GLenum mode) {
+  glBlendEquationSeparateOES(mode, mode);
 }
 
 GL_API void GL_APIENTRY glLogicOp(GLenum op) {

@@ -277,10 +277,24 @@ bool getFragmentOperations(Context& c, GLenum name, Results& results) {
       results.enumerant(ops.depthFunc);
       break;
     case GL_BLEND_SRC:
+    case GL_BLEND_SRC_RGB_OES:
       results.enumerant(ops.blendSrcRgb);
       break;
     case GL_BLEND_DST:
+    case GL_BLEND_DST_RGB_OES:
       results.enumerant(ops.blendDstRgb);
+      break;
+    case GL_BLEND_SRC_ALPHA_OES:
+      results.enumerant(ops.blendSrcAlpha);
+      break;
+    case GL_BLEND_DST_ALPHA_OES:
+      results.enumerant(ops.blendDstAlpha);
+      break;
+    case GL_BLEND_EQUATION_RGB_OES:
+      results.enumerant(ops.blendEquationRgb);
+      break;
+    case GL_BLEND_EQUATION_ALPHA_OES:
+      results.enumerant(ops.blendEquationAlpha);
       break;
     case GL_LOGIC_OP_MODE:
       results.enumerant(ops.logicOp);

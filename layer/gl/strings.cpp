@@ -10,7 +10,11 @@ using namespace anteroom::gl;
 namespace {
 
 // An extension is listed when all of it works.
-constexpr std::array<std::string_view, 11> kExtensions{
+constexpr std::array<std::string_view, 16> kExtensions{
+    "GL_EXT_blend_minmax",                 // MIN_EXT, MAX_EXT
+    "GL_OES_blend_equation_separate",      // BlendEquationSeparateOES
+    "GL_OES_blend_func_separate",          // BlendFuncSeparateOES
+    "GL_OES_blend_subtract",               // BlendEquationOES
     "GL_OES_byte_coordinates",             // BYTE vertices and texture coordinates
     "GL_OES_compressed_paletted_texture",  // ten internal formats of CompressedTexImage2D
     "GL_OES_fixed_point",                  // ...x commands, FIXED arrays
@@ -20,6 +24,7 @@ constexpr std::array<std::string_view, 11> kExtensions{
     "GL_OES_query_matrix",                 // QueryMatrixxOES
     "GL_OES_read_format",                  // IMPLEMENTATION_COLOR_READ_FORMAT_OES and _TYPE_OES
     "GL_OES_single_precision",             // ...f commands
+    "GL_OES_stencil_wrap",  // INCR_WRAP_OES, DECR_WRAP_OES
     "GL_OES_texture_cube_map",             // TEXTURE_CUBE_MAP_OES, TEXTURE_GEN_STR_OES
     "GL_OES_texture_npot",                 // sizes that are no power of two, with mip levels and REPEAT
 };
