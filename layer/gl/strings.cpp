@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 16> kExtensions{
     "GL_OES_query_matrix",                 // QueryMatrixxOES
     "GL_OES_read_format",                  // IMPLEMENTATION_COLOR_READ_FORMAT_OES and _TYPE_OES
     "GL_OES_single_precision",             // ...f commands
-    "GL_OES_stencil_wrap",  // INCR_WRAP_OES, DECR_WRAP_OES
+    "GL_OES_stencil_wrap",                 // INCR_WRAP_OES, DECR_WRAP_OES
     "GL_OES_texture_cube_map",             // TEXTURE_CUBE_MAP_OES, TEXTURE_GEN_STR_OES
     "GL_OES_texture_npot",                 // sizes that are no power of two, with mip levels and REPEAT
 };
