@@ -272,5 +272,72 @@ TEST_F(CubeMaps, TextureMatrixAfterGeneration) {
   EXPECT_PIXEL(32, 32, texelColor(after.face, static_cast<int>(after.s * 4), static_cast<int>(after.t * 4)));
 }
 
+// 3.8.2 of the extension: copies and subimages go to one face and leave the others.
+TEST_F(CubeMaps, CopiesAndSubImages) {
+  uploadFaces();
+  glEnable(kCube);
+  glClearColor(0.2f, 0.4f, 0.6f, 0.8f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glCopyTexImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y_OES, 0, GL_RGBA, 0, 0, 4, 4, 0);
+  const std::vector<GLubyte> white(2 * 2 * 4, 255);
+  glTexSubImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_Z_OES, 0, 2, 2, 2, 2, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+  glCopyTexSubImage2D(GL_TEXTURE_CUBE_MAP_NEGATIVE_X_OES, 0, 0, 0, 0, 0, 2, 4);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  const auto at = [&](GLfloat x, GLfloat y, GLfloat z) {
+    glMultiTexCoord4f(GL_TEXTURE0, x, y, z, 1);
+    drawRect();
+    return readPixel(32, 32);
+  };
+  const Vec4 copied = {0.2, 0.4, 0.6, 0.8};
+  EXPECT_TRUE(near(at(0.1f, -1, 0.1f), copied));
+  EXPECT_TRUE(near(at(0.7f, -1, -0.7f), copied));
+  EXPECT_TRUE(near(at(0.1f, 1, 0.1f), texelColor(2, 2, 2)));
+  // +z: s follows x, t runs against y.
+  EXPECT_TRUE(near(at(0.7f, -0.7f, 1), {1, 1, 1, 1}));
+  EXPECT_TRUE(near(at(-0.7f, -0.7f, 1), texelColor(4, 0, 3)));
+  // -x: s follows z.
+  EXPECT_TRUE(near(at(-1, 0.1f, -0.7f), copied));
+  EXPECT_TRUE(near(at(-1, 0.1f, 0.7f), texelColor(1, 3, 1)));
+}
+
+// 3.8.8: GENERATE_MIPMAP works face by face.
+TEST_F(CubeMaps, GenerateMipmap) {
+  glTexParameteri(kCube, GL_GENERATE_MIPMAP, GL_TRUE);
+  glTexParameteri(kCube, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  for (GLenum face = 0; face < 6; ++face) {
+    const std::vector<GLubyte> texels(4 * 4 * 4, static_cast<GLubyte>(40 * face + 20));
+    glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + face, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                 texels.data());
+  }
+  glEnable(kCube);
+  for (int face = 0; face < 6; ++face) {
+    Vec3 direction = {0.1, 0.1, 0.1};
+    direction[static_cast<std::size_t>(face / 2)] = face % 2 ? -1 : 1;
+    glMultiTexCoord4f(GL_TEXTURE0, static_cast<GLfloat>(direction[0]), static_cast<GLfloat>(direction[1]),
+                      static_cast<GLfloat>(direction[2]), 1);
+    drawRect();
+    const double value = (40 * face + 20) / 255.0;
+    EXPECT_PIXEL(32, 32, {value, value, value, value}) << face;
+  }
+}
+
+// 3.8.8: the default cube map and the default two-dimensional texture are two objects.
+TEST_F(CubeMaps, Defaults) {
+  glBindTexture(kCube, 0);
+  glTexParameteri(kCube, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  GLint filter = 0;
+  glGetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, &filter);
+  EXPECT_EQ(filter, GL_NEAREST_MIPMAP_LINEAR);
+  glGetTexParameteriv(kCube, GL_TEXTURE_MIN_FILTER, &filter);
+  EXPECT_EQ(filter, GL_LINEAR);
+  glBindTexture(kCube, name_);
+  glGetTexParameteriv(kCube, GL_TEXTURE_MIN_FILTER, &filter);
+  EXPECT_EQ(filter, GL_NEAREST);
+  glDeleteTextures(1, &name_);
+  GLint binding = -1;
+  glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP_OES, &binding);
+  EXPECT_EQ(binding, 0);
+}
+
 }  // namespace
 }  // namespace conformance

@@ -93,5 +93,43 @@ TEST_F(MultisamplingOnSamples, Edges) {
   EXPECT_LT(edge, 0.8);
 }
 
+// (3.2), 3.10: a multisampled point smaller than the threshold is drawn at the threshold's size, its alpha
+// faded by the square of the ratio.
+TEST_F(MultisamplingOnSamples, PointFade) {
+  glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 8);
+  glPointSize(4);
+  setColor({1, 0, 0, 1});
+  const GLfloat position[] = {0, 0};
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(2, GL_FLOAT, 0, position);
+  glDrawArrays(GL_POINTS, 0, 1);
+  EXPECT_PIXEL(32, 32, {1, 0, 0, 0.25});
+  clearTo(kBlack);
+  glPointSize(12);
+  glDrawArrays(GL_POINTS, 0, 1);
+  EXPECT_PIXEL(32, 32, {1, 0, 0, 1});
+}
+
+// 3.5.3: depth and stencil are kept for each sample; a picture of two layers resolves to the upper one.
+TEST_F(MultisamplingOnSamples, DepthAndStencil) {
+  glEnable(GL_DEPTH_TEST);
+  setColor({0, 1, 0, 1});
+  const GLfloat triangle[] = {-1, -1, -0.5f, 1, -1, -0.5f, -1, 1, -0.5f};
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(3, GL_FLOAT, 0, triangle);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  setColor({1, 0, 0, 1});
+  const GLfloat behind[] = {-1, -1, 0.5f, 1, -1, 0.5f, -1, 1, 0.5f, 1, 1, 0.5f};
+  glVertexPointer(3, GL_FLOAT, 0, behind);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  EXPECT_PIXEL(10, 10, {0, 1, 0, 1});
+  EXPECT_PIXEL(50, 50, {1, 0, 0, 1});
+  // The samples of the edge are shared out, none is lost or counted twice.
+  const Vec4 edge = readPixel(31, 32);
+  EXPECT_NEAR(edge[0] + edge[1], 1, 1.5 / 255);
+  EXPECT_GT(edge[0], 0.2);
+  EXPECT_GT(edge[1], 0.2);
+}
+
 }  // namespace
 }  // namespace conformance

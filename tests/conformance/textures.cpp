@@ -423,6 +423,40 @@ TEST_F(Textures, LargestSize) {
   EXPECT_PIXEL(32, 32, {250 / 255.0, 250 / 255.0, 250 / 255.0, 1});
 }
 
+// OES_texture_npot: any size, with every wrap mode and filter, and mip levels that halve downwards.
+TEST_F(Textures, SizesThatAreNoPowerOfTwo) {
+  if (!hasExtension("GL_OES_texture_npot")) GTEST_SKIP() << "no GL_OES_texture_npot";
+  for (const auto& [w, h] : {std::array{3, 5}, std::array{1, 7}, std::array{33, 12}, std::array{63, 63}}) {
+    const Bitmap image = noise(w, h);
+    bindNew();
+    image.upload();
+    for (GLenum wrap : {GLenum{GL_REPEAT}, GLenum{GL_CLAMP_TO_EDGE}}) {
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, static_cast<GLint>(wrap));
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, static_cast<GLint>(wrap));
+      drawTexturedRect({}, -0.5, -0.25, 1.5, 1.75);
+      const Image result = readAll();
+      int wrong = 0;
+      for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+          const double s = -0.5 + 2 * (x + 0.5) / 64, t = -0.25 + 2 * (y + 0.5) / 64;
+          const double u = s * w, v = t * h;
+          if (std::abs(u - std::round(u)) < 0.01 || std::abs(v - std::round(v)) < 0.01) continue;
+          wrong += !near(result.at(x, y), sampled(image, s, t, GL_NEAREST, wrap, wrap), 0);
+        }
+      }
+      EXPECT_EQ(wrong, 0) << w << "x" << h << " " << std::hex << wrap;
+    }
+  }
+  // 5x3, 2x1, 1x1 is a whole pyramid.
+  bindNew();
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  solid(5, 3, {0, 255, 0, 255}).upload(0);
+  solid(2, 1, {0, 255, 0, 255}).upload(1);
+  solid(1, 1, {0, 255, 0, 255}).upload(2);
+  drawTexturedRect({}, 0, 0, 1, 1);
+  EXPECT_PIXEL(32, 32, kGreen);
+}
+
 class TexturesOn565 : public GlTest {
  protected:
   TexturesOn565() : GlTest({64, 64, 5, 6, 5, 0, 24, 8, 0}) {}
