@@ -178,6 +178,7 @@ class Context {
   Hints hints;
   GLint stencilRef = 0;  // as given; state.ops has it clamped to what the stencil buffer can hold
   std::string rendererName;
+  std::string extensions;  // made by the first query
 };
 
 // Makes `framebuffer` (null: none) what draws go to and, unless there is a `read`, what pixels are read from,

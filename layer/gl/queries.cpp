@@ -380,6 +380,12 @@ bool getLimits(Context& c, GLenum name, Results& results) {
     case GL_MAX_CUBE_MAP_TEXTURE_SIZE_OES:
       results.integer(caps.maxCubeMapSize);
       break;
+    case GL_MAX_TEXTURE_LOD_BIAS_EXT:
+      results.number(caps.maxLodBias);
+      break;
+    case GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT:
+      results.number(caps.maxAnisotropy);
+      break;
     case GL_MAX_VIEWPORT_DIMS:
       results.integer(caps.maxViewport[0]), results.integer(caps.maxViewport[1]);
       break;

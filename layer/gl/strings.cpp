@@ -10,8 +10,11 @@ using namespace anteroom::gl;
 namespace {
 
 // An extension is listed when all of it works.
-constexpr std::array<std::string_view, 16> kExtensions{
+constexpr std::array<std::string_view, 21> kExtensions{
+    "GL_APPLE_texture_max_level",          // TEXTURE_MAX_LEVEL_APPLE
     "GL_EXT_blend_minmax",                 // MIN_EXT, MAX_EXT
+    "GL_EXT_texture_filter_anisotropic",   // TEXTURE_MAX_ANISOTROPY_EXT
+    "GL_EXT_texture_lod_bias",             // TEXTURE_LOD_BIAS_EXT of a unit
     "GL_OES_blend_equation_separate",      // BlendEquationSeparateOES
     "GL_OES_blend_func_separate",          // BlendFuncSeparateOES
     "GL_OES_blend_subtract",               // BlendEquationOES
@@ -26,12 +29,20 @@ constexpr std::array<std::string_view, 16> kExtensions{
     "GL_OES_single_precision",             // ...f commands
     "GL_OES_stencil_wrap",                 // INCR_WRAP_OES, DECR_WRAP_OES
     "GL_OES_texture_cube_map",             // TEXTURE_CUBE_MAP_OES, TEXTURE_GEN_STR_OES
+    "GL_OES_texture_env_crossbar",         // any TEXTUREn as a source
+    "GL_OES_texture_mirrored_repeat",      // MIRRORED_REPEAT_OES
     "GL_OES_texture_npot",                 // sizes that are no power of two, with mip levels and REPEAT
 };
 
-std::string join() {
+// What some devices lack.
+bool offered(const anteroom::render::Caps& caps, std::string_view name) {
+  return name != "GL_EXT_texture_filter_anisotropic" || caps.maxAnisotropy >= 2;
+}
+
+std::string join(const anteroom::render::Caps& caps) {
   std::string joined;
   for (std::string_view name : kExtensions) {
+    if (!offered(caps, name)) continue;
     if (!joined.empty()) joined += ' ';
     joined += name;
   }
@@ -43,7 +54,6 @@ std::string join() {
 GL_API const GLubyte* GL_APIENTRY glGetString(GLenum name) {
   Context* c = current();
   if (!c) return nullptr;
-  static const std::string extensions = join();
   const char* text = nullptr;
   switch (name) {
     case GL_VENDOR:
@@ -56,7 +66,8 @@ GL_API const GLubyte* GL_APIENTRY glGetString(GLenum name) {
       text = "OpenGL ES-CM 1.1";
       break;
     case GL_EXTENSIONS:
-      text = extensions.c_str();
+      if (c->extensions.empty()) c->extensions = join(c->device.caps());
+      text = c->extensions.c_str();
       break;
     default:
       c->setError(GL_INVALID_ENUM);

@@ -206,9 +206,15 @@ int Texture::chainLength(int width, int height) const {
   return std::min(log2Floor(std::max({width, height, 1})) + 1, levels());
 }
 
+int Texture::sampledLevels() const {
+  if (!usesMipmaps()) return 1;
+  const int length = chainLength(at(0, 0).width, at(0, 0).height);
+  return sampler.maxLevel < length ? sampler.maxLevel + 1 : length;
+}
+
 bool Texture::chainComplete(int face) const {
   const TextureLevel& base = at(face, 0);
-  const int length = chainLength(base.width, base.height);
+  const int length = sampledLevels();
   for (int level = 1; level < length; ++level) {
     const TextureLevel& t = at(face, level);
     if (t.internalFormat != base.internalFormat || t.width != std::max(base.width >> level, 1) ||

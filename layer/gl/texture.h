@@ -104,6 +104,7 @@ struct Texture {
 
   bool usesMipmaps() const;
   int chainLength(int width, int height) const;  // levels of a full mipmap
+  int sampledLevels() const;                     // that the sampler can select (APPLE_texture_max_level)
   bool chainComplete(int face) const;
   bool derives(GLenum internalFormat) const;
   bool hasDerived(int face, int from = 1) const;

@@ -69,7 +69,8 @@ bool isLegal(GLenum pname, GLenum value) {
     case GL_SRC0_ALPHA:
     case GL_SRC1_ALPHA:
     case GL_SRC2_ALPHA:
-      return value == GL_TEXTURE || value == GL_CONSTANT || value == GL_PRIMARY_COLOR || value == GL_PREVIOUS;
+      return value == GL_TEXTURE || value == GL_CONSTANT || value == GL_PRIMARY_COLOR ||
+             value == GL_PREVIOUS || value - GL_TEXTURE0 < gen::kMaxTextureUnits;
     case GL_OPERAND0_RGB:
     case GL_OPERAND1_RGB:
     case GL_OPERAND2_RGB:
@@ -96,6 +97,10 @@ void setEnv(GLenum target, GLenum pname, const Params& params) {
     if (pname != GL_COORD_REPLACE_OES) return c->setError(GL_INVALID_ENUM);
     return c->set(env.coordReplace, params.boolean(), kTextures | gen::kGroupPoints);
   }
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
+    if (pname != GL_TEXTURE_LOD_BIAS_EXT) return c->setError(GL_INVALID_ENUM);
+    return c->set(env.lodBias, params.number(), kTextures);
+  }
   if (target != GL_TEXTURE_ENV) return c->setError(GL_INVALID_ENUM);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:
@@ -119,6 +124,8 @@ void getEnv(GLenum target, GLenum pname, Results results) {
   gen::TextureEnv& env = activeUnit(*c).env;
   if (target == GL_POINT_SPRITE_OES && pname == GL_COORD_REPLACE_OES)
     return results.boolean(env.coordReplace);
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT && pname == GL_TEXTURE_LOD_BIAS_EXT)
+    return results.number(env.lodBias);
   if (target != GL_TEXTURE_ENV) return c->setError(GL_INVALID_ENUM);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:

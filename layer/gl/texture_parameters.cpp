@@ -18,8 +18,9 @@ bool isWrapMode(GLenum value) {
   return value == GL_REPEAT || value == GL_CLAMP_TO_EDGE || value == GL_MIRRORED_REPEAT_OES;
 }
 
-void assign(Context& c, Texture& texture, GLenum& field, GLenum value, bool legal) {
-  if (!legal) return c.setError(GL_INVALID_ENUM);
+template <class T>
+void assign(Context& c, Texture& texture, T& field, T value, bool legal, GLenum error = GL_INVALID_ENUM) {
+  if (!legal) return c.setError(error);
   if (field == value) return;
   field = value;
   texture.changed(c);
@@ -48,6 +49,13 @@ void setParameter(GLenum target, GLenum pname, const Params& params) {
     case GL_GENERATE_MIPMAP:
       texture.generateMipmap = params.boolean();
       return;
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      return assign(*c, texture, sampler.maxAnisotropy, params.number(), params.number() >= 1,
+                    GL_INVALID_VALUE);
+    case GL_TEXTURE_MAX_LEVEL_APPLE: {
+      const int level = roundToInt(params.number());
+      return assign(*c, texture, sampler.maxLevel, level, level >= 0, GL_INVALID_VALUE);
+    }
     default:
       c->setError(GL_INVALID_ENUM);
   }
@@ -87,6 +95,10 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form)
     // Not scaled in fixed point, like the value that sets it.
     case GL_GENERATE_MIPMAP:
       return results.enumerant(texture.generateMipmap ? GL_TRUE : GL_FALSE);
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      return results.number(texture.sampler.maxAnisotropy);
+    case GL_TEXTURE_MAX_LEVEL_APPLE:
+      return results.integer(texture.sampler.maxLevel);
     case GL_TEXTURE_CROP_RECT_OES:
       for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
       return;

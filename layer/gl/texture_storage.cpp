@@ -190,7 +190,7 @@ bool Texture::realise(Context& c, int levelCount) {
 const std::shared_ptr<Image>& Texture::sampled(Context& c) {
   static const std::shared_ptr<Image> kNone;
   if (ready_) return image_;
-  if (!realise(c, usesMipmaps() ? chainLength(at(0, 0).width, at(0, 0).height) : 1)) return kNone;
+  if (!realise(c, sampledLevels())) return kNone;
   ready_ = true;
   return image_;
 }

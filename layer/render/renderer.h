@@ -88,6 +88,7 @@ struct Caps {
   float smoothLineWidthRange[2] = {1, 1};
   int subpixelBits = 4;
   float maxAnisotropy = 1;
+  float maxLodBias = 14;  // largest absolute value of TEXTURE_LOD_BIAS that is not clamped
   bool isCpu = false;
   // Formats in which framebuffers can be offered without loss; sample counts other than 1 that work with all.
   bool renderable[16] = {};  // indexed by Format

@@ -137,7 +137,8 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
     if (features_.smoothLines) caps_.smoothLineWidthRange[i] = caps_.lineWidthRange[i];
   }
   caps_.subpixelBits = static_cast<int>(limits_.subPixelPrecisionBits);
-  caps_.maxAnisotropy = features_.anisotropy ? limits_.maxSamplerAnisotropy : 1;
+  caps_.maxAnisotropy = features_.anisotropy ? std::min(limits_.maxSamplerAnisotropy, 16.0f) : 1;
+  caps_.maxLodBias = std::min(limits_.maxSamplerLodBias, 100.0f);
   for (size_t i = 0; i < formats_.size(); ++i) caps_.renderable[i] = formats_[i].renderable;
   caps_.maxSamples = commonSamples();
 }

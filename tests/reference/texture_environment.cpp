@@ -20,8 +20,7 @@ struct Inputs {
   glm::dvec4 primary, previous;
 };
 
-// Tables 3.18 and 3.19, and OES_texture_env_crossbar. A unit that is off is transparent white's opposite:
-// black.
+// Tables 3.18 and 3.19, and OES_texture_env_crossbar.
 glm::dvec4 source(const Inputs& in, GLenum name) {
   switch (name) {
     case GL_TEXTURE:
@@ -92,6 +91,28 @@ glm::dvec4 combiner(const Inputs& in) {
                   combine(env.combineAlpha, a[0], a[1], a[2]) * alphaScale});
 }
 
+size_t argumentCount(GLenum function) {
+  if (function == GL_REPLACE) return 1;
+  return function == GL_INTERPOLATE ? 3 : 2;
+}
+
+// OES_texture_env_crossbar: a unit that combines the texture of a unit that is off is off itself.
+bool readsUnitThatIsOff(const render::State& state, const gen::TextureEnv& env) {
+  if (env.mode != GL_COMBINE) return false;
+  const auto off = [&](GLenum source) {
+    const GLenum unit = source - GL_TEXTURE0;
+    return unit < gen::kMaxTextureUnits && state.fixed.units[unit].target == gen::TextureTarget::None;
+  };
+  for (size_t i = 0; i < argumentCount(env.combineRgb); ++i) {
+    if (off(env.srcRgb[i])) return true;
+  }
+  if (env.combineRgb == GL_DOT3_RGBA) return false;
+  for (size_t i = 0; i < argumentCount(env.combineAlpha); ++i) {
+    if (off(env.srcAlpha[i])) return true;
+  }
+  return false;
+}
+
 // Tables 3.15 and 3.16.
 glm::dvec4 textureFunction(const Inputs& in) {
   const gen::TextureUnit& unit = in.state.fixed.units[in.unit];
@@ -124,6 +145,7 @@ glm::dvec4 applyTextures(const render::State& state, const glm::dvec4& primary, 
   glm::dvec4 color = clamp01(primary);
   for (size_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
     if (state.fixed.units[unit].target == gen::TextureTarget::None) continue;
+    if (readsUnitThatIsOff(state, state.fixed.units[unit].env)) continue;
     color = clamp01(textureFunction({state, samples, unit, clamp01(primary), color}));
   }
   return color;
