@@ -77,6 +77,7 @@ void visitVertex(Key& key, Visit visit) {
   number("point-round", key.pointRound, 1);
   words("point-shape", key.pointShape, kPointShapeWords);
   number("point-fade", key.pointFade, 1);
+  number("own-values", key.ownValues, 1);
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     words("out", key.units[u].output, Words(kCoordinateWords).first(5), u);
     words("texgen", key.units[u].texGen, kTexGenWords, u);

@@ -76,6 +76,11 @@ uint32_t attributesRead(const VertexKey& key);
 enum class InputClass : uint8_t { Float, Int, Uint };
 InputClass inputClass(const VertexKey& key, Attribute attribute);
 
+// Where a key has ownValues, each vertex also brings the bytes of packPush(), 16 of them a location, as four
+// floats, from this location on, and nothing is pushed.
+inline constexpr uint32_t kOwnValuesLocation = 16;
+inline constexpr uint32_t kMostOwnValues = 8;  // locations
+
 // Bit u set: unit u is sampled.
 uint32_t unitsSampled(const FragmentKey& key);
 

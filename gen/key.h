@@ -131,6 +131,9 @@ struct VertexKey {
   uint8_t pointRound;        // 0, 1: to whole pixels (section 3.3.1)
   PointShape pointShape;     // not Square: the fragment stage gets the diameter
   uint8_t pointFade;         // 0, 1: points are no smaller than the fade threshold, and fade instead
+  // 0, 1: what would be push constants comes with each vertex. Canonicalise never says so: it is the
+  // renderer's choice.
+  uint8_t ownValues;
   std::array<VertexUnit, kMaxTextureUnits> units;
 };
 
@@ -138,7 +141,7 @@ static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_cop
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
 static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 8);
-static_assert(sizeof(VertexKey) == kAttributeCount + 20 + 4 * kMaxTextureUnits);
+static_assert(sizeof(VertexKey) == kAttributeCount + 21 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {
   return !std::memcmp(&a, &b, sizeof a);

@@ -378,6 +378,16 @@ struct Pack {
   void finish() const { std::fill_n(out + offset, alignUp(offset, 16) - offset, std::byte{}); }
 };
 
+// The same members as vertex inputs: each takes the locations of its columns.
+struct DeclareInputs {
+  std::string text;
+  uint32_t location = kOwnValuesLocation;
+  void operator()(const Member& m) {
+    text += fmt::format("layout(location = {}) in {} {};\n", location, info(m.type).glsl, m.prefix);
+    location += info(m.type).size / 16;
+  }
+};
+
 struct Declare {
   std::string text;
   void operator()(const Member& m) {
@@ -392,6 +402,11 @@ struct Declare {
 }  // namespace
 
 std::string declarePush(const VertexKey& key) {
+  if (key.ownValues) {
+    DeclareInputs inputs;
+    visitPush(key, [&](const Member& m) { inputs(m); });
+    return inputs.text;
+  }
   Declare declare;
   visitPush(key, [&](const Member& m) { declare(m); });
   return declare.block("layout(push_constant) uniform Push");

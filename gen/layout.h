@@ -8,7 +8,7 @@
 
 namespace anteroom::gen {
 
-// GLSL declarations, each empty when the block is.
+// GLSL declarations, each empty when the block is. Push: inputs, where vertices bring them.
 std::string declarePush(const VertexKey& key);
 std::string declareVertexConstants(const VertexKey& key);
 std::string declareFragmentConstants(const FragmentKey& key);

@@ -1,11 +1,18 @@
 #include "layer/vulkan/context.h"
 
+#include <algorithm>
+
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
 
 namespace anteroom::vulkan {
+namespace {
+
+constexpr uint32_t kMostLocations = gen::kOwnValuesLocation + gen::kMostOwnValues;
+
+}  // namespace
 
 VulkanContext::VulkanContext(VulkanDevice& device)
     : device_(device),
@@ -16,7 +23,9 @@ VulkanContext::VulkanContext(VulkanDevice& device)
       constants_(device, Stream::Purpose::Constants, 128 << 10),
       staging_(device, Stream::Purpose::Vertices, 1 << 20),
       readBack_(device, Stream::Purpose::ReadBack, 1 << 20),
-      fetch_(device) {}
+      fetch_(device),
+      carriesValues_(std::min(device.limits().maxVertexInputAttributes,
+                              device.limits().maxVertexInputBindings) >= kMostLocations) {}
 
 VulkanContext::~VulkanContext() {
   finish();

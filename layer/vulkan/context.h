@@ -49,8 +49,8 @@ class VulkanContext final : public render::Context {
     bool stateSent = false;
     VertexLayout layout;
     uint32_t arrays = 0;  // bindings that have a buffer
-    std::array<VkBuffer, gen::kAttributeCount> buffers{};
-    std::array<VkDeviceSize, gen::kAttributeCount> offsets{};
+    std::array<VkBuffer, kMostArrays> buffers{};
+    std::array<VkDeviceSize, kMostArrays> offsets{};
     VkBuffer indexBuffer = VK_NULL_HANDLE;
     VkDeviceSize indexOffset = 0;
     VkIndexType indexType = VK_INDEX_TYPE_MAX_ENUM;
@@ -96,8 +96,10 @@ class VulkanContext final : public render::Context {
   bool join(const render::State& state, const render::DrawCall& call);
   bool openBatch(const render::DrawCall& call, const Geometry& geometry);
   void flushBatch();
-  void watchColor(const render::State& state, const render::DrawCall& call);
-  void promoteColor(bool promoted);
+  gen::Groups harmless() const;
+  uint32_t mostJoined() const;
+  void watch(const render::State& state, const render::DrawCall& call);
+  void carry(Carried carried);
 
   // draw.cpp
   void take(render::State& state);
@@ -170,8 +172,9 @@ class VulkanContext final : public render::Context {
   bool arraysStale_ = true, pushStale_ = true, vertexStale_ = true, fragmentStale_ = true;
   ArrayShapes shapes_{};
   Batch batch_;
-  bool colorPromoted_ = false;
-  uint32_t colorChanges_ = 0, colorChangesNeeded_ = 32;
+  const bool carriesValues_;  // the device takes so many vertex inputs
+  Carried carried_ = Carried::Nothing;
+  uint32_t valueChanges_ = 0, valueChangesNeeded_ = 32, alone_ = 0;
 
   DrawState wanted_, sent_;
   bool nothing_ = false;

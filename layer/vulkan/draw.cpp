@@ -54,9 +54,10 @@ bool VulkanContext::takeKeys(render::State& state) {
   shapes_ = shapesOf(state.fixed);
   gen::AttributeState& color = state.fixed.attributes[gen::kColor];
   const gen::AttributeState ownColor = color;
-  if (colorPromoted_ && !ownColor.array) color = {true, 4, GL_FLOAT, ownColor.current};
+  if (carried_ == Carried::Color && !ownColor.array) color = {true, 4, GL_FLOAT, ownColor.current};
   const gen::FragmentKey fragment = gen::canonicaliseFragment(state.fixed, profile);
-  const gen::VertexKey vertex = gen::canonicaliseVertex(state.fixed, fragment, profile);
+  gen::VertexKey vertex = gen::canonicaliseVertex(state.fixed, fragment, profile);
+  vertex.ownValues = carried_ == Carried::Values;
   color = ownColor;
   const bool newFragment = !fragmentShader_ || !(fragment == fragmentKey_);
   const bool newVertex = !vertexShader_ || !(vertex == vertexKey_);
@@ -89,7 +90,7 @@ bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
   if (batch_.count && join(state, call)) return true;
   flushBatch();
   submitEarly();
-  watchColor(state, call);
+  watch(state, call);
   takeTarget(state);
   if (keysStale(state) && !takeKeys(state)) return false;
   if (stale_ & kDrawStateGroups) takeDrawState(state);
@@ -98,7 +99,7 @@ bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
   const VkCommandBuffer commands = commands_.commands();
   if (!commands || !packConstants(state)) return false;
   if (stale_ & gen::kGroupArrays || arraysStale_)
-    fetch_.configure(state, vertexKey_, colorPromoted_ && !state.fixed.attributes[gen::kColor].array);
+    fetch_.configure(state, vertexKey_, carried_, push_.data(), blocks_.pushSize);
   arraysStale_ = false;
   if (!fetchTextures(state)) return false;
   stale_ = 0;
@@ -323,8 +324,8 @@ bool VulkanContext::bindPipeline(VkCommandBuffer commands) {
 void VulkanContext::bindVertices(VkCommandBuffer commands) {
   const VertexLayout& layout = fetch_.layout();
   if (device_.features().dynamicVertexInput && !(layout == bound_.layout)) {
-    VkVertexInputBindingDescription2EXT bindings[gen::kAttributeCount];
-    VkVertexInputAttributeDescription2EXT attributes[gen::kAttributeCount];
+    VkVertexInputBindingDescription2EXT bindings[kMostArrays];
+    VkVertexInputAttributeDescription2EXT attributes[kMostArrays];
     for (uint32_t i = 0; i < layout.count; ++i) {
       const VertexLayout::Array& array = layout.arrays[i];
       bindings[i] = {VK_STRUCTURE_TYPE_VERTEX_INPUT_BINDING_DESCRIPTION_2_EXT,
@@ -364,7 +365,7 @@ void VulkanContext::bindVertices(VkCommandBuffer commands) {
 
 void VulkanContext::bindConstants(VkCommandBuffer commands) {
   const auto& fn = device_.fn();
-  if (bound_.pushed < blocks_.pushSize) {
+  if (!vertexKey_.ownValues && bound_.pushed < blocks_.pushSize) {
     fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0, blocks_.pushSize,
                           push_.data());
     bound_.pushed = blocks_.pushSize;

@@ -32,8 +32,8 @@ class PipelineBuilder {
   const PipelineKey& key_;
   const Features& features_;
   VkPipelineShaderStageCreateInfo stages_[2]{};
-  VkVertexInputBindingDescription bindings_[gen::kAttributeCount];
-  VkVertexInputAttributeDescription attributes_[gen::kAttributeCount];
+  VkVertexInputBindingDescription bindings_[kMostArrays];
+  VkVertexInputAttributeDescription attributes_[kMostArrays];
   VkPipelineVertexInputStateCreateInfo input_{VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
   VkPipelineInputAssemblyStateCreateInfo assembly_{
       VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};

@@ -14,6 +14,9 @@
 
 namespace anteroom::vulkan {
 
+// GL's arrays, and what else each vertex may bring.
+inline constexpr uint32_t kMostArrays = gen::kAttributeCount + gen::kMostOwnValues;
+
 // The arrays that a draw reads: one binding an array, at offset 0.
 struct VertexLayout {
   struct Array {
@@ -21,7 +24,7 @@ struct VertexLayout {
     bool operator==(const Array&) const = default;
   };
   uint32_t count = 0;
-  std::array<Array, gen::kAttributeCount> arrays{};
+  std::array<Array, kMostArrays> arrays{};
   bool operator==(const VertexLayout&) const = default;
 };
 

@@ -78,57 +78,68 @@ VkFormat VertexFetch::supported(VkFormat three, VkFormat four) const {
 VertexFetch::Source VertexFetch::source(const render::State& state, const gen::VertexKey& key,
                                         gen::Attribute attribute) const {
   const gen::AttributeState& array = state.fixed.attributes[attribute];
-  const render::VertexArray& where = state.arrays[attribute];
   const Formats& formats = formatsOf(array.type, gen::inputClass(key, attribute));
-  const uint32_t component = componentBytes(array.type);
   const uint32_t size = std::clamp<uint32_t>(array.size, 1, 4);
   Source s{};
-  s.attribute = attribute;
-  if (attribute == gen::kColor && constantColor_) {
-    s.format = VK_FORMAT_R32G32B32A32_SFLOAT;
-    s.bytes = sizeof array.current;
-    s.component = 4;
-    s.pointer = reinterpret_cast<const std::byte*>(&array.current);
-    s.limit = UINT64_MAX;
-    s.gather = true;
-    return s;
-  }
-  s.component = component;
-  s.bytes = size * component;
-  s.stride = where.stride ? where.stride : s.bytes;
+  s.location = attribute;
+  s.component = componentBytes(array.type);
+  s.bytes = size * s.component;
   // Vulkan promises vertex formats of one, two and four small components only.
-  s.format = size == 3 && component < 4 ? supported(formats.of[2], formats.of[3]) : formats.of[size - 1];
-  if (!where.buffer) {
-    s.pointer = static_cast<const std::byte*>(where.pointer);
-    s.limit = s.pointer ? UINT64_MAX : 0;
-    s.gather = true;
-    return s;
-  }
-  s.buffer = &vulkan(*where.buffer);
-  s.offset = reinterpret_cast<uintptr_t>(where.pointer);
-  const size_t total = s.buffer->size();
-  s.limit = total >= s.bytes && s.offset <= total - s.bytes ? (total - s.bytes - s.offset) / s.stride + 1 : 0;
-  s.gather = s.offset % component != 0 || s.stride % component != 0 ||
-             s.stride > device_.limits().maxVertexInputBindingStride;
+  s.format = size == 3 && s.component < 4 ? supported(formats.of[2], formats.of[3]) : formats.of[size - 1];
+  place(state.arrays[attribute], s);
   return s;
 }
 
-void VertexFetch::configure(const render::State& state, const gen::VertexKey& key, bool constantColor) {
-  constantColor_ = constantColor;
+void VertexFetch::place(const render::VertexArray& where, Source& s) const {
+  s.stride = where.stride ? where.stride : s.bytes;
+  s.buffer = where.buffer ? &vulkan(*where.buffer) : nullptr;
+  if (!s.buffer) {
+    s.pointer = static_cast<const std::byte*>(where.pointer);
+    s.limit = s.pointer ? UINT64_MAX : 0;
+    return;
+  }
+  s.offset = reinterpret_cast<uintptr_t>(where.pointer);
+  const size_t total = s.buffer->size();
+  s.limit = total >= s.bytes && s.offset <= total - s.bytes ? (total - s.bytes - s.offset) / s.stride + 1 : 0;
+}
+
+void VertexFetch::add(const Source& source, bool gather) {
+  if (gather) gathered_ |= 1u << count_;
+  sources_[count_] = source;
+  layout_.arrays[count_++] = {source.location, static_cast<uint32_t>(source.format), source.stride};
+}
+
+void VertexFetch::configure(const render::State& state, const gen::VertexKey& key, Carried carried,
+                            const std::byte* values, uint32_t size) {
   const uint32_t read = gen::attributesRead(key);
-  count_ = 0;
-  gathered_ = 0;
+  const auto carry = [&](uint32_t location, const void* from) {
+    Source s{};
+    s.location = location;
+    s.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    s.bytes = 16;
+    s.component = 4;
+    s.pointer = static_cast<const std::byte*>(from);
+    s.limit = UINT64_MAX;
+    s.carried = true;
+    add(s, true);
+  };
+  layout_ = {};
+  count_ = gathered_ = 0;
   for (int a = 0; a < gen::kAttributeCount; ++a) {
     if (!(read >> a & 1)) continue;
-    sources_[count_] = source(state, key, static_cast<gen::Attribute>(a));
-    if (sources_[count_].gather) gathered_ |= 1u << count_;
-    ++count_;
+    const gen::AttributeState& array = state.fixed.attributes[a];
+    if (a == gen::kColor && carried == Carried::Color && !array.array) {
+      carry(gen::kColor, &array.current);
+      continue;
+    }
+    const Source s = source(state, key, static_cast<gen::Attribute>(a));
+    const bool unaligned = s.offset % s.component != 0 || s.stride % s.component != 0 ||
+                           s.stride > device_.limits().maxVertexInputBindingStride;
+    add(s, carried == Carried::Values || !s.buffer || unaligned);
   }
-  layout_ = {};
+  if (carried == Carried::Values)
+    for (uint32_t at = 0; at < size; at += 16) carry(gen::kOwnValuesLocation + at / 16, values + at);
   layout_.count = count_;
-  for (uint32_t i = 0; i < count_; ++i)
-    layout_.arrays[i] = {sources_[i].attribute, static_cast<uint32_t>(sources_[i].format),
-                         sources_[i].stride};
 }
 
 bool VertexFetch::inside(uint64_t end) const {
@@ -189,24 +200,16 @@ void VertexFetch::gather(uint32_t first, uint32_t count, uint32_t stride, std::b
   }
 }
 
-bool VertexFetch::append(const render::State& state, uint32_t first, uint32_t count, Stream& stream,
-                         const CommandStream& commands) {
-  for (uint32_t i = 0; i < count_; ++i) {
-    const gen::Attribute attribute = sources_[i].attribute;
-    if (attribute == gen::kColor && constantColor_) continue;
-    if (state.arrays[attribute].buffer || !state.arrays[attribute].pointer) return false;
-  }
+bool VertexFetch::append(const render::State& state, bool moved, uint32_t first, uint32_t count,
+                         Stream& stream, const CommandStream& commands) {
+  if (moved)
+    for (uint32_t i = 0; i < count_; ++i)
+      if (!sources_[i].carried) place(state.arrays[sources_[i].location], sources_[i]);
+  if (!inside(uint64_t{first} + count)) return false;
   const VkDeviceSize bytes = VkDeviceSize{arena_.stride} * count;
   if (arena_.stride == 0 || arena_.recording != commands.recordingId() ||
       !stream.extend(arena_.piece, arena_.used, bytes))
     return false;
-  for (uint32_t i = 0; i < count_; ++i) {
-    Source& s = sources_[i];
-    if (s.attribute == gen::kColor && constantColor_) continue;
-    const render::VertexArray& where = state.arrays[s.attribute];
-    s.pointer = static_cast<const std::byte*>(where.pointer);
-    s.stride = where.stride ? where.stride : s.bytes;
-  }
   std::byte* const to = arena_.piece.mapped + arena_.used;
   arena_.used += bytes;
   gather(first, count, arena_.stride, to);

@@ -120,6 +120,16 @@ TEST(Golden, FogAndAlphaTest) {
   expectGolden("fog_and_alpha_test", s);
 }
 
+TEST(Golden, OwnValues) {
+  State s = litState();
+  s.fog.enabled = true;
+  Keys keys = keysOf(s, {});
+  keys.vertex.ownValues = 1;
+  const std::string vertex = emitVertex(keys.vertex);
+  expectGolden("own_values.vert", vertex);
+  expectCompiles(Stage::Vertex, vertex);
+}
+
 TEST(Golden, FogOfPositionsWithW) {
   State s = plainState();
   enableArray(s, kPosition, 4);

@@ -1,4 +1,5 @@
 // Vertices and indices: every type and place, and what lies outside of buffers.
+#include <cmath>
 #include <cstring>
 
 #include "layer/vulkan/vulkan_device.h"
@@ -199,6 +200,68 @@ TEST_P(Vertices, JoinedDrawsKeepTheirColorsAndOrder) {
   }
   EXPECT_EQ(scene.at(60, 60), kBlack);
   EXPECT_EQ(scene.at(5, 5), kWhite);
+}
+
+// The same with matrices, from a buffer that is written to in between.
+TEST_P(Vertices, JoinedDrawsKeepTheirMatrices) {
+  Scene scene(GetParam(), 64, 64);
+  scene.clear(GL_COLOR_BUFFER_BIT);
+  const auto shade = [](int i) { return static_cast<float>(i % 256) / 255; };
+  const float whole[] = {9, 9, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 0, 1};
+  const float half[] = {9, 9, 0, 0, 1, 0, 0, .5f, 1, 0, 1, .5f, 0, .5f};
+  const auto buffer = scene.device.createBuffer(sizeof whole, whole);
+  scene.array(gen::kPosition, whole, 2);
+  scene.state.arrays[gen::kPosition] = {buffer.get(), nullptr, 8};
+  for (int i = 0; i < 256; ++i) {
+    if (i == 128) {
+      ASSERT_TRUE(buffer->write(0, half, sizeof half));
+    }
+    gen::State& fixed = scene.state.fixed;
+    fixed.modelview = glm::dmat4(0.125);
+    fixed.modelview[3] = {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, 0, 1};
+    scene.state.dirty |= gen::kGroupModelview;
+    scene.color(shade(i), shade(255 - i), 0);
+    scene.draw(GL_TRIANGLES, 6, 1);
+  }
+  const auto pixels = scene.read();
+  for (int i = 0; i < 256; ++i) {
+    const auto at = [&](int y) { return pixels[static_cast<size_t>(i / 16 * 4 + y) * 64 + i % 16 * 4 + 1]; };
+    const Pixel color{static_cast<uint8_t>(i), static_cast<uint8_t>(255 - i), 0, 255};
+    EXPECT_EQ(at(1), color) << i;
+    EXPECT_EQ(at(3), i < 128 ? color : kBlack) << i;
+  }
+  // What lies behind the buffer is not read, whatever came before.
+  scene.draw(GL_TRIANGLES, 6, 5);
+  scene.draw(GL_TRIANGLES, 6, 1 << 30);
+  scene.read();
+}
+
+// Lighting and fog see the matrices of each draw, too.
+TEST_P(Vertices, JoinedDrawsAreLitAsSingleOnes) {
+  const float corners[] = {0, 0, 0, 1, 0, .5f, 0, 1, 1}, normals[] = {0, 0, 1, .6f, 0, .8f, 0, .8f, .6f};
+  const auto picture = [&](bool single) {
+    Scene scene(GetParam(), 64, 64);
+    gen::State& fixed = scene.state.fixed;
+    fixed.lighting.enabled = fixed.lighting.normalize = fixed.lighting.colorMaterial = true;
+    fixed.lighting.lights[0].enabled = fixed.fog.enabled = true;
+    fixed.lighting.lights[0].diffuse = {1, 1, 1, 1};
+    fixed.lighting.lights[0].position = {.3, .4, 2, 1};
+    fixed.fog.density = .5f;
+    scene.array(gen::kPosition, corners, 3);
+    scene.array(gen::kNormal, normals, 3);
+    scene.clear(GL_COLOR_BUFFER_BIT);
+    for (int i = 0; i < 256; ++i) {
+      const double angle = i * .1, c = std::cos(angle) / 10, s = std::sin(angle) / 10;
+      fixed.modelview = {
+          {c, 0, s, 0}, {0, .1, 0, 0}, {-s, 0, c, 0}, {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, -.1, 1}};
+      scene.state.dirty |= gen::kGroupModelview;
+      if (single) scene.state.dirty |= gen::kGroupRaster;
+      scene.color(1, static_cast<float>(i % 7) / 6, .5f);
+      scene.draw(GL_TRIANGLES, 3);
+    }
+    return scene.read();
+  };
+  EXPECT_EQ(picture(false), picture(true));
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Vertices, testing::Values(false, true), profileName);
