@@ -120,11 +120,15 @@ glm::dvec4 VertexStage::attribute(gen::Attribute which, int64_t index) const {
   const render::VertexArray& array = state_.arrays[which];
   const size_t size = sizeOf(attribute.type);
   const uint64_t offset = static_cast<uint64_t>(index) * array.stride;
-  const std::byte* base = static_cast<const std::byte*>(array.pointer) + offset;
+  const std::byte* base = nullptr;
   if (array.buffer != nullptr) {
-    const uint64_t at = reinterpret_cast<uintptr_t>(array.pointer) + offset;
-    if (at + size * attribute.size > array.buffer->size()) return {0, 0, 0, 1};
-    base = array.buffer->contents() + at;
+    const uint64_t start = reinterpret_cast<uintptr_t>(array.pointer), total = array.buffer->size();
+    const uint64_t needed = size * static_cast<size_t>(attribute.size);
+    // Sums of what a program may pass could wrap around.
+    if (needed > total || offset > total - needed || start > total - needed - offset) return {0, 0, 0, 1};
+    base = array.buffer->contents() + start + offset;
+  } else {
+    base = static_cast<const std::byte*>(array.pointer) + offset;
   }
   const bool normalised = which == gen::kColor || which == gen::kNormal;
   glm::dvec4 value(0, 0, 0, 1);
