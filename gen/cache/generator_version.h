@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string_view>
+
+namespace anteroom::gen {
+
+// 16 hex digits: a hash of all that decides what SPIR-V a key becomes (gen/, shaders/, glslang), made by
+// CMake.
+std::string_view generatorVersion();
+
+}  // namespace anteroom::gen
