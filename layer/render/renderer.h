@@ -66,7 +66,8 @@ class Buffer {
 struct Stats {
   uint64_t draws = 0;
   uint64_t pipelinesCreated = 0;
-  uint64_t shadersCompiled = 0;       // calls into glslang
+  uint64_t shadersCompiled = 0;  // calls into glslang
+  uint64_t shadersFromCache = 0;
   uint64_t vulkanObjectsCreated = 0;  // of every kind, pipelines and memory included
   uint64_t memoryAllocations = 0;     // device memory
   uint64_t submits = 0;

@@ -29,6 +29,7 @@ VulkanContext::VulkanContext(VulkanDevice& device)
 
 VulkanContext::~VulkanContext() {
   finish();
+  ShaderLibrary::flush();
 }
 
 bool VulkanContext::submit() {
@@ -66,6 +67,7 @@ const render::Stats& VulkanContext::stats() const {
   stats_.renderPasses = pass_.passes();
   stats_.pipelinesCreated = device_.pipelines().created();
   stats_.shadersCompiled = device_.shaders().compiled();
+  stats_.shadersFromCache = device_.shaders().fromCache();
   stats_.vulkanObjectsCreated = device_.objects();
   stats_.memoryAllocations = device_.memoryAllocations();
   return stats_;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <thread>
 
 #include "layer/vulkan/buffer.h"
 #include "layer/vulkan/context.h"
@@ -33,19 +32,6 @@ void keepPages() {
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
 #endif
 }
-
-// Builds the compiler's tables beside the program's own start. Joined before the process, or this library,
-// ends.
-class WarmUp {
- public:
-  WarmUp() : thread_([] { gen::warmCompiler(); }) {}
-  ~WarmUp() {
-    if (thread_.joinable()) thread_.join();
-  }
-
- private:
-  std::thread thread_;
-};
 
 }  // namespace
 
@@ -258,7 +244,7 @@ std::shared_ptr<render::Buffer> VulkanDevice::createBuffer(size_t size, const vo
 }
 
 std::unique_ptr<render::Context> VulkanDevice::createContext() {
-  static const WarmUp warmUp;
+  ShaderLibrary::warmUp();
   auto context = std::make_unique<VulkanContext>(*this);
   if (!context->initialise()) return nullptr;
   return context;

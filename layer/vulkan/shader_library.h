@@ -10,7 +10,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "gen/gen.h"
+#include "gen/cache/shader_cache.h"
 
 namespace anteroom::vulkan {
 
@@ -27,6 +27,12 @@ class ShaderLibrary {
   explicit ShaderLibrary(VulkanDevice& device) : device_(device) {}
   ~ShaderLibrary();
 
+  // Opens the shader cache, and builds the compiler's tables when it will be needed, beside the program's own
+  // start. Once a process.
+  static void warmUp();
+  // Writes what is new to the shader cache.
+  static void flush() { gen::ShaderCache::process().flush(); }
+
   // Null: the shader cannot be made; the reason was logged.
   const Shader* get(const gen::VertexKey& key);
   const Shader* get(const gen::FragmentKey& key);
@@ -34,6 +40,7 @@ class ShaderLibrary {
   const Shader* get(gen::Stage stage, const char* text);
 
   uint64_t compiled() const { return compiled_; }
+  uint64_t fromCache() const { return fromCache_; }
 
  private:
   template <class Key>
@@ -47,7 +54,9 @@ class ShaderLibrary {
   template <class Key>
   using Map = std::unordered_map<Key, Shader, KeyHash<Key>, KeyEqual<Key>>;
 
-  Shader create(gen::Stage stage, const std::string& glsl);
+  Shader create(gen::KeyKind kind, gen::KeyBytes key);
+  // Empty: it does not compile.
+  std::vector<uint32_t> compile(gen::KeyKind kind, gen::KeyBytes key);
 
   VulkanDevice& device_;
   std::mutex mutex_;
@@ -55,7 +64,7 @@ class ShaderLibrary {
   Map<gen::FragmentKey> fragment_;
   std::unordered_map<const char*, Shader> own_;
   uint32_t nextId_ = 1;
-  std::atomic<uint64_t> compiled_{0};
+  std::atomic<uint64_t> compiled_{0}, fromCache_{0};
 };
 
 }  // namespace anteroom::vulkan
