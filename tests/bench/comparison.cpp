@@ -18,6 +18,7 @@ constexpr unsigned kWorkerSeconds = 300;
 Environment withCaches(Environment environment, bool warm, const std::string& directory) {
   if (warm) {
     environment["MESA_SHADER_CACHE_DIR"] = directory + "/mesa";
+    environment["ANTEROOM_CACHE"] = "on";
     environment["ANTEROOM_CACHE_DIR"] = directory + "/anteroom";
     environment["MESA_SHADER_CACHE_DISABLE"] = "false";
   } else {

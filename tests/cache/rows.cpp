@@ -1,0 +1,57 @@
+#include "tests/cache/rows.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace anteroom::test {
+
+Folder::Folder() {
+  std::string name = (std::filesystem::temp_directory_path() / "anteroom-cache-XXXXXX").string();
+  if (!mkdtemp(name.data())) std::abort();
+  path = name;
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path, ignored);
+}
+
+std::string keyText(int i) {
+  return "#version 450\n// " + std::to_string(i) + "\n";
+}
+
+gen::KeyBytes keyBytes(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+std::vector<uint32_t> spirvOf(int i, int words) {
+  // OpNop, and one OpSource whose operand tells the rows apart.
+  std::vector<uint32_t> spirv{0x07230203, 0x00010300, 0, 10, 0, 0x00030003, 2, static_cast<uint32_t>(i)};
+  spirv.resize(static_cast<size_t>(words), 0x00010000);
+  return spirv;
+}
+
+void storeRow(gen::ShaderCache& cache, int i, int words) {
+  const std::string key = keyText(i);
+  cache.store(gen::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, words), 1000 + i);
+}
+
+std::vector<uint32_t> findRow(gen::ShaderCache& cache, int i) {
+  const std::string key = keyText(i);
+  return cache.find(gen::KeyKind::VertexText, keyBytes(key));
+}
+
+std::string contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void replace(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
+
+}  // namespace anteroom::test
