@@ -2,7 +2,9 @@
 #include "layer/gl/buffer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
+#include <new>
 
 #include "layer/gl/context.h"
 
@@ -32,18 +34,6 @@ BufferObject* boundBuffer(Context& c, GLenum target) {
   return bound->get();
 }
 
-// The object of that name, made when there is none yet. Null: out of memory.
-std::shared_ptr<BufferObject> obtain(ShareGroup& group, GLuint name) {
-  std::shared_ptr<BufferObject> object = group.buffers.find(name);
-  if (object) return object;
-  try {
-    object = std::make_shared<BufferObject>(name);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-  return group.buffers.put(name, object) ? object : nullptr;
-}
-
 void unbindEverywhere(Context& c, const std::shared_ptr<BufferObject>& object) {
   if (c.arrayBuffer == object) c.arrayBuffer = nullptr;
   if (c.vertexArrays.elementBuffer == object) c.vertexArrays.elementBuffer = nullptr;
@@ -68,7 +58,42 @@ bool respecify(Context& c, BufferObject& buffer, size_t size, const void* data) 
   return true;
 }
 
+void dropMapping(Context& c, BufferObject& buffer) {
+  if (!buffer.mapped) return;
+  buffer.mapped.reset();
+  --c.group->mappedBuffers;
+}
+
+// Null: out of memory. `keep`: what the program does not write stays.
+void* map(Context& c, BufferObject& buffer, size_t offset, size_t length, GLbitfield access, bool keep) {
+  buffer.mapped.reset(new (std::nothrow) std::byte[std::max<size_t>(length, 1)]);
+  if (!buffer.mapped) {
+    c.setError(GL_OUT_OF_MEMORY);
+    return nullptr;
+  }
+  if (keep && length != 0) std::memcpy(buffer.mapped.get(), buffer.store->contents() + offset, length);
+  buffer.mapOffset = offset;
+  buffer.mapLength = length;
+  buffer.mapAccess = access;
+  ++c.group->mappedBuffers;
+  return buffer.mapped.get();
+}
+
+bool isMapped(const std::shared_ptr<BufferObject>& buffer) {
+  return buffer && buffer->mapped;
+}
+
 }  // namespace
+
+bool readsMappedBuffer(const Context& c, bool indices) {
+  if (c.group->mappedBuffers == 0) return false;
+  if (indices && isMapped(c.vertexArrays.elementBuffer)) return true;
+  for (const ClientArray& array : c.vertexArrays.arrays) {
+    if (array.enabled && isMapped(array.buffer)) return true;
+  }
+  return false;
+}
+
 }  // namespace anteroom::gl
 
 using namespace anteroom::gl;
@@ -91,6 +116,7 @@ GL_API void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
   for (GLsizei i = 0; i < n; ++i) {
     if (buffers[i] == 0) continue;
     if (const std::shared_ptr<BufferObject> object = c->group->buffers.remove(buffers[i])) {
+      dropMapping(*c, *object);
       unbindEverywhere(*c, object);
     }
   }
@@ -113,7 +139,7 @@ GL_API void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
     bound->reset();
     return;
   }
-  std::shared_ptr<BufferObject> object = obtain(*c->group, buffer);
+  std::shared_ptr<BufferObject> object = obtain(c->group->buffers, buffer);
   if (!object) return c->setError(GL_OUT_OF_MEMORY);
   *bound = std::move(object);
 }
@@ -127,6 +153,7 @@ GL_API void GL_APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void*
   if (usage != GL_STATIC_DRAW && usage != GL_DYNAMIC_DRAW) return c->setError(GL_INVALID_ENUM);
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return;
+  dropMapping(*c, *buffer);
   if (!respecify(*c, *buffer, static_cast<size_t>(size), data)) return c->setError(GL_OUT_OF_MEMORY);
   buffer->usage = usage;
 }
@@ -137,6 +164,7 @@ GL_API void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeip
   ShareLock lock(*c->group);
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return;
+  if (buffer->mapped) return c->setError(GL_INVALID_OPERATION);
   if (offset < 0 || size < 0) return c->setError(GL_INVALID_VALUE);
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(size);
   if (begin > buffer->size() || bytes > buffer->size() - begin) return c->setError(GL_INVALID_VALUE);
@@ -148,12 +176,120 @@ GL_API void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLin
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  if (!binding(*c, target) || (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE)) {
+  if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM);
+  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
+      pname != GL_BUFFER_MAPPED_OES) {
     return c->setError(GL_INVALID_ENUM);
   }
   const BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer || !params) return;
   constexpr size_t kLargest = std::numeric_limits<GLint>::max();
-  *params = pname == GL_BUFFER_SIZE ? static_cast<GLint>(std::min(buffer->size(), kLargest))
-                                    : static_cast<GLint>(buffer->usage);
+  switch (pname) {
+    case GL_BUFFER_SIZE:
+      *params = static_cast<GLint>(std::min(buffer->size(), kLargest));
+      break;
+    case GL_BUFFER_USAGE:
+      *params = static_cast<GLint>(buffer->usage);
+      break;
+    case GL_BUFFER_ACCESS_OES:
+      *params = GL_WRITE_ONLY_OES;
+      break;
+    default:
+      *params = buffer->mapped ? GL_TRUE : GL_FALSE;
+  }
+}
+
+// OES_mapbuffer
+
+GL_API void* GL_APIENTRY glMapBufferOES(GLenum target, GLenum access) {
+  Context* c = current();
+  if (!c) return nullptr;
+  ShareLock lock(*c->group);
+  if (access != GL_WRITE_ONLY_OES) {
+    c->setError(GL_INVALID_ENUM);
+    return nullptr;
+  }
+  BufferObject* buffer = boundBuffer(*c, target);
+  if (!buffer) return nullptr;
+  if (buffer->mapped) {
+    c->setError(GL_INVALID_OPERATION);
+    return nullptr;
+  }
+  return map(*c, *buffer, 0, buffer->size(), GL_MAP_WRITE_BIT_EXT, true);
+}
+
+GL_API GLboolean GL_APIENTRY glUnmapBufferOES(GLenum target) {
+  Context* c = current();
+  if (!c) return GL_FALSE;
+  ShareLock lock(*c->group);
+  BufferObject* buffer = boundBuffer(*c, target);
+  if (!buffer) return GL_FALSE;
+  if (!buffer->mapped) {
+    c->setError(GL_INVALID_OPERATION);
+    return GL_FALSE;
+  }
+  const bool writes =
+      (buffer->mapAccess & (GL_MAP_WRITE_BIT_EXT | GL_MAP_FLUSH_EXPLICIT_BIT_EXT)) == GL_MAP_WRITE_BIT_EXT;
+  if (writes && buffer->mapLength != 0 &&
+      !buffer->store->write(buffer->mapOffset, buffer->mapped.get(), buffer->mapLength)) {
+    c->setError(GL_OUT_OF_MEMORY);
+  }
+  dropMapping(*c, *buffer);
+  return GL_TRUE;
+}
+
+GL_API void GL_APIENTRY glGetBufferPointervOES(GLenum target, GLenum pname, void** params) {
+  Context* c = current();
+  if (!c) return;
+  ShareLock lock(*c->group);
+  if (pname != GL_BUFFER_MAP_POINTER_OES) return c->setError(GL_INVALID_ENUM);
+  const BufferObject* buffer = boundBuffer(*c, target);
+  if (buffer && params) *params = buffer->mapped.get();
+}
+
+// EXT_map_buffer_range
+
+GL_API void* GL_APIENTRY glMapBufferRangeEXT(GLenum target, GLintptr offset, GLsizeiptr length,
+                                             GLbitfield access) {
+  Context* c = current();
+  if (!c) return nullptr;
+  ShareLock lock(*c->group);
+  BufferObject* buffer = boundBuffer(*c, target);
+  if (!buffer) return nullptr;
+  constexpr GLbitfield kInvalidate = GL_MAP_INVALIDATE_RANGE_BIT_EXT | GL_MAP_INVALIDATE_BUFFER_BIT_EXT;
+  constexpr GLbitfield kAll = GL_MAP_READ_BIT_EXT | GL_MAP_WRITE_BIT_EXT | kInvalidate |
+                              GL_MAP_FLUSH_EXPLICIT_BIT_EXT | GL_MAP_UNSYNCHRONIZED_BIT_EXT;
+  const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(length);
+  if (offset < 0 || length < 0 || begin > buffer->size() || bytes > buffer->size() - begin ||
+      (access & ~kAll)) {
+    c->setError(GL_INVALID_VALUE);
+    return nullptr;
+  }
+  const bool reads = access & GL_MAP_READ_BIT_EXT, writes = access & GL_MAP_WRITE_BIT_EXT;
+  if (bytes == 0 || buffer->mapped || (!reads && !writes) ||
+      (reads && (access & (kInvalidate | GL_MAP_UNSYNCHRONIZED_BIT_EXT))) ||
+      (!writes && (access & GL_MAP_FLUSH_EXPLICIT_BIT_EXT))) {
+    c->setError(GL_INVALID_OPERATION);
+    return nullptr;
+  }
+  return map(*c, *buffer, begin, bytes, access, !(access & kInvalidate));
+}
+
+GL_API void GL_APIENTRY glFlushMappedBufferRangeEXT(GLenum target, GLintptr offset, GLsizeiptr length) {
+  Context* c = current();
+  if (!c) return;
+  ShareLock lock(*c->group);
+  BufferObject* buffer = boundBuffer(*c, target);
+  if (!buffer) return;
+  if (!buffer->mapped || !(buffer->mapAccess & GL_MAP_FLUSH_EXPLICIT_BIT_EXT)) {
+    return c->setError(GL_INVALID_OPERATION);
+  }
+  const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(length);
+  if (offset < 0 || length < 0 || begin > buffer->mapLength || bytes > buffer->mapLength - begin) {
+    return c->setError(GL_INVALID_VALUE);
+  }
+  if (bytes == 0) return;
+  if (!buffer->store->write(buffer->mapOffset + begin, buffer->mapped.get() + begin, bytes)) {
+    c->setError(GL_OUT_OF_MEMORY);
+  }
 }

@@ -10,9 +10,9 @@ GL_API void GL_APIENTRY glClear(GLbitfield mask) {
   if (mask & ~(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)) {
     return c->setError(GL_INVALID_VALUE);
   }
+  ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (!mask) return;
-  ShareLock lock(*c->group);
   if (!c->renderer->clear(c->state, mask)) c->setError(GL_OUT_OF_MEMORY);
 }
 

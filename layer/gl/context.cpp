@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "layer/gl/framebuffer_object.h"
 #include "layer/gl/params.h"
 
 namespace anteroom::gl {
@@ -63,8 +64,7 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
   fixed.attributes[gen::kNormal].current = {0, 0, 1, 1};
   fixed.attributes[gen::kColor].current = {1, 1, 1, 1};
   fixed.attributes[gen::kPointSize].size = 1;
-  vertexArrays.arrays[gen::kNormal].size = 3;
-  vertexArrays.arrays[gen::kPointSize].size = 1;
+  defaultVertexArray = boundVertexArray = std::make_shared<VertexArrayObject>(0);
 
   fixed.lighting.lights[0].diffuse = {1, 1, 1, 1};
   fixed.lighting.lights[0].specular = {1, 1, 1, 1};
@@ -72,6 +72,17 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
   fixed.points.sizeMax = std::max(caps.pointSizeRange[1], caps.smoothPointSizeRange[1]);
   fixed.points.deviceMin = caps.pointSizeRange[0];
   fixed.points.deviceMax = caps.pointSizeRange[1];
+}
+
+VertexArrays initialVertexArrays() {
+  VertexArrays initial;
+  initial.arrays[gen::kNormal].size = 3;
+  initial.arrays[gen::kPointSize].size = 1;
+  return initial;
+}
+
+bool Context::framebufferComplete() {
+  return boundFramebuffer ? resolveFramebuffer(*this) : hasFramebuffer;
 }
 
 void updateMultisample(Context& c) {
@@ -94,6 +105,10 @@ void useFramebuffer(Context& c, const render::Framebuffer* framebuffer, const re
   c.set(fixed.framebufferYDown, now.yDown, gen::kGroupFramebuffer);
   updateMultisample(c);
   applyStencilRef(c);
+}
+
+void useDefaultFramebuffer(Context& c) {
+  useFramebuffer(c, c.hasDefaultFramebuffer ? &c.defaultFramebuffer : nullptr, &c.defaultReadFramebuffer);
 }
 
 int stencilBits(const Context& c) {

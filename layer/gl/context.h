@@ -30,6 +30,8 @@ namespace anteroom::gl {
 
 struct BufferObject;  // buffer.h: `GLuint name` and `std::shared_ptr<render::Buffer> store` (null: size 0)
 struct Texture;       // texture.h: `GLuint name` and the rest
+struct Renderbuffer;  // framebuffer_object.h
+struct FramebufferObject;
 
 // Textures and buffers of contexts that share. A context alone in its group pays nothing for the lock.
 class ShareGroup {
@@ -39,12 +41,17 @@ class ShareGroup {
   render::Device& device;
   ObjectTable<Texture> textures;
   ObjectTable<BufferObject> buffers;
+  ObjectTable<Renderbuffer> renderbuffers;
+  ObjectTable<FramebufferObject> framebuffers;
 
   // Raised when any texture's images, completeness or sampler state change, or any buffer's store is
   // replaced: every context of the group then looks at its bindings again before it draws. New contents alone
   // do not count.
   std::atomic<uint32_t> textureVersion{1};
   std::atomic<uint32_t> bufferVersion{1};
+  // Raised when an attachment of any framebuffer object, or a renderbuffer's storage, changes.
+  std::atomic<uint32_t> framebufferVersion{1};
+  int mappedBuffers = 0;  // how many buffer objects are mapped
 
   std::atomic<int> contexts{0};
   std::mutex mutex;
@@ -100,6 +107,15 @@ struct VertexArrays {
   std::array<ClientArray, gen::kAttributeCount> arrays;
   std::shared_ptr<BufferObject> elementBuffer;
 };
+VertexArrays initialVertexArrays();
+
+// OES_vertex_array_object. `arrays` is empty while the object is bound: they lie in the context then.
+struct VertexArrayObject {
+  explicit VertexArrayObject(GLuint n) : name(n) {}
+
+  const GLuint name;
+  VertexArrays arrays = initialVertexArrays();
+};
 
 struct Hints {
   GLenum perspectiveCorrection = GL_DONT_CARE;
@@ -134,8 +150,8 @@ class Context {
   }
 
   // Whether there is something to draw to or read from (false: surfaceless, or an incomplete framebuffer
-  // object).
-  bool framebufferComplete() const { return hasFramebuffer; }
+  // object). Brings state.framebuffer up to date. Under the ShareLock.
+  bool framebufferComplete();
 
   render::State state;
   GLenum error = GL_NO_ERROR;
@@ -146,7 +162,14 @@ class Context {
 
   bool hasFramebuffer = false;  // state.framebuffer is one
   bool hadFramebuffer = false;  // viewport and scissor have their initial values
+  bool hasDefaultFramebuffer = false;
   render::Framebuffer defaultFramebuffer;
+  render::Framebuffer defaultReadFramebuffer;
+  // OES_framebuffer_object. Null: the default framebuffer, or no renderbuffer.
+  std::shared_ptr<FramebufferObject> boundFramebuffer;
+  std::shared_ptr<Renderbuffer> boundRenderbuffer;
+  uint32_t seenFramebufferVersion = 0;
+  uint32_t seenAttachedTextures = 0;  // the textureVersion at which attachments were looked up
   render::Framebuffer
       readFramebuffer;  // where pixels come from: state.framebuffer, but for EGL's read surface
 
@@ -157,7 +180,10 @@ class Context {
   std::array<MatrixStack<kTextureDepth>, gen::kMaxTextureUnits> textureStacks;
 
   // Sections 2.8, 2.9.
-  VertexArrays vertexArrays;
+  VertexArrays vertexArrays = initialVertexArrays();
+  ObjectTable<VertexArrayObject> vertexArrayObjects;
+  std::shared_ptr<VertexArrayObject> defaultVertexArray;  // name 0
+  std::shared_ptr<VertexArrayObject> boundVertexArray;    // never null
   std::shared_ptr<BufferObject> arrayBuffer;
   int clientActiveTexture = 0;
   uint32_t staleArrays = ~0u;  // bit a: the renderer's view of attribute a must be made again
@@ -185,6 +211,7 @@ class Context {
 // and follows what the state knows of it.
 void useFramebuffer(Context& context, const render::Framebuffer* framebuffer,
                     const render::Framebuffer* read = nullptr);
+void useDefaultFramebuffer(Context& context);
 // Derived multisample state: section 4.1.3 applies only when MULTISAMPLE is on and there is more than one
 // sample.
 void updateMultisample(Context& context);

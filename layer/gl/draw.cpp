@@ -1,4 +1,6 @@
-// DrawArrays and DrawElements (section 2.8).
+// DrawArrays and DrawElements (section 2.8), and EXT_multi_draw_arrays.
+#include "layer/gl/draw.h"
+
 #include <limits>
 
 #include "layer/gl/buffer.h"
@@ -23,28 +25,49 @@ GLsizei fewestVertices(GLenum mode) {
   return kFewest[mode];
 }
 
-// Brings the state up to date and draws. Under the ShareLock; everything has been validated.
+// Under the ShareLock; everything has been validated.
 void draw(Context& c, const render::DrawCall& call) {
-  syncArrays(c);
-  if (!c.state.fixed.attributes[gen::kPosition].array) return;
+  if (readsMappedBuffer(c, call.indexType != 0)) return c.setError(GL_INVALID_OPERATION);
+  prepareDraw(c);
+  if (c.state.fixed.attributes[gen::kPosition].array) submitDraw(c, call);
+}
 
+size_t indexSize(GLenum type) {
+  if (type == GL_UNSIGNED_BYTE) return 1;
+  return type == GL_UNSIGNED_SHORT ? 2 : 4;
+}
+
+}  // namespace
+
+namespace anteroom::gl {
+
+void prepareDraw(Context& c) {
+  syncArrays(c);
   const uint32_t textures = c.group->textureVersion.load(std::memory_order_relaxed);
   if (textures != c.seenTextureVersion) {
     c.seenTextureVersion = textures;
     c.mark(gen::kGroupTextures);
   }
-  if (c.staleUnits) resolveTextureUnits(c);
+  if (c.staleUnits) {
+    resolveTextureUnits(c);
+    // Texels of an attached texture may have moved.
+    c.framebufferComplete();
+  }
+}
+
+void submitDraw(Context& c, const render::DrawCall& call) {
   c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
   if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY);
 }
 
-}  // namespace
+}  // namespace anteroom::gl
 
 GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
   Context* c = current();
   if (!c) return;
   if (mode > GL_TRIANGLE_FAN) return c->setError(GL_INVALID_ENUM);
   if (first < 0 || count < 0) return c->setError(GL_INVALID_VALUE);
+  ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (count < fewestVertices(mode)) return;
   if (count > std::numeric_limits<GLint>::max() - first) return c->setError(GL_OUT_OF_MEMORY);
@@ -53,7 +76,6 @@ GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
   call.mode = mode;
   call.first = first;
   call.count = count;
-  ShareLock lock(*c->group);
   draw(*c, call);
 }
 
@@ -61,8 +83,11 @@ GL_API void GL_APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, 
   Context* c = current();
   if (!c) return;
   if (mode > GL_TRIANGLE_FAN) return c->setError(GL_INVALID_ENUM);
-  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT) return c->setError(GL_INVALID_ENUM);
+  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
+    return c->setError(GL_INVALID_ENUM);
+  }
   if (count < 0) return c->setError(GL_INVALID_VALUE);
+  ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (count < fewestVertices(mode)) return;
 
@@ -71,16 +96,38 @@ GL_API void GL_APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, 
   call.count = count;
   call.indexType = type;
   call.indices = indices;
-  ShareLock lock(*c->group);
   if (const BufferObject* elements = c->vertexArrays.elementBuffer.get()) {
     // Indices that the buffer does not hold are undefined: nothing is drawn.
     const size_t offset = reinterpret_cast<uintptr_t>(indices);
     const size_t size = elements->store ? elements->store->size() : 0;
-    const size_t wanted = static_cast<size_t>(count) * (type == GL_UNSIGNED_BYTE ? 1 : 2);
+    const size_t wanted = static_cast<size_t>(count) * indexSize(type);
     if (offset > size || wanted > size - offset) return;
     call.indexBuffer = elements->store.get();
   } else if (!indices) {
     return;
   }
   draw(*c, call);
+}
+
+// EXT_multi_draw_arrays: counts that are not positive are passed over.
+GL_API void GL_APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, const GLsizei* count,
+                                             GLsizei primcount) {
+  Context* c = current();
+  if (!c) return;
+  if (primcount < 0) return c->setError(GL_INVALID_VALUE);
+  if (!first || !count) return;
+  for (GLsizei i = 0; i < primcount; ++i) {
+    if (count[i] > 0) glDrawArrays(mode, first[i], count[i]);
+  }
+}
+
+GL_API void GL_APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count, GLenum type,
+                                               const void* const* indices, GLsizei primcount) {
+  Context* c = current();
+  if (!c) return;
+  if (primcount < 0) return c->setError(GL_INVALID_VALUE);
+  if (!count || !indices) return;
+  for (GLsizei i = 0; i < primcount; ++i) {
+    if (count[i] > 0) glDrawElements(mode, count[i], type, indices[i]);
+  }
 }

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "layer/gl/context.h"
+#include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
 
 namespace anteroom::gl {
@@ -37,7 +38,10 @@ Context::~Context() {
   {
     ShareLock lock(*group);
     vertexArrays = {};
+    vertexArrayObjects = {};
     arrayBuffer.reset();
+    boundFramebuffer.reset();
+    boundRenderbuffer.reset();
     units = {};
     defaultTextures = {};
   }
@@ -58,7 +62,9 @@ void makeCurrent(Context* context) {
 void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
                            const render::Framebuffer* read) {
   c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
-  useFramebuffer(c, framebuffer, read);
+  c.defaultReadFramebuffer = read ? *read : c.defaultFramebuffer;
+  c.hasDefaultFramebuffer = framebuffer != nullptr;
+  if (!c.boundFramebuffer) useDefaultFramebuffer(c);
   if (!framebuffer || c.hadFramebuffer) return;
   c.hadFramebuffer = true;
   c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};

@@ -106,4 +106,17 @@ class ObjectTable {
   std::unordered_map<GLuint, Slot> sparse_;
 };
 
+// The object of that name, made when there is none yet. Null: out of memory.
+template <class T>
+std::shared_ptr<T> obtain(ObjectTable<T>& table, GLuint name) {
+  std::shared_ptr<T> object = table.find(name);
+  if (object) return object;
+  try {
+    object = std::make_shared<T>(name);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+  return table.put(name, object) ? object : nullptr;
+}
+
 }  // namespace anteroom::gl

@@ -35,6 +35,7 @@ GL_API void GL_APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei he
   if (!c) return;
   if (!isPixelFormat(format) || !isPixelType(type)) return c->setError(GL_INVALID_ENUM);
   if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
+  ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   const render::Framebuffer& framebuffer = c->readFramebuffer;
   const PixelFormat own = implementationReadFormat(framebuffer);
@@ -47,7 +48,6 @@ GL_API void GL_APIENTRY glReadPixels(GLint x, GLint y, GLsizei width, GLsizei he
   const size_t pitch = rowPitch(width, packed, c->packAlignment);
   std::byte* out = static_cast<std::byte*>(pixels) + static_cast<size_t>(int64_t{up.first} - y) * pitch +
                    static_cast<size_t>(int64_t{across.first} - x) * render::info(packed).bytes;
-  ShareLock lock(*c->group);
   const render::Rect rect{across.first, up.first, across.size, up.size};
   if (!c->renderer->readPixels(framebuffer, rect, packed, out, pitch)) c->setError(GL_OUT_OF_MEMORY);
 }

@@ -5,6 +5,7 @@
 
 #include "layer/gl/buffer.h"
 #include "layer/gl/enables.h"
+#include "layer/gl/framebuffer_object.h"
 #include "layer/gl/hints.h"
 #include "layer/gl/paletted.h"
 #include "layer/gl/params.h"
@@ -102,6 +103,9 @@ bool getArrays(Context& c, GLenum name, Results& results) {
       break;
     case GL_ARRAY_BUFFER_BINDING:
       results.integer(nameOf(c.arrayBuffer));
+      break;
+    case GL_VERTEX_ARRAY_BINDING_OES:
+      results.integer(c.boundVertexArray->name);
       break;
     case GL_ELEMENT_ARRAY_BUFFER_BINDING:
       results.integer(nameOf(c.vertexArrays.elementBuffer));
@@ -386,6 +390,15 @@ bool getLimits(Context& c, GLenum name, Results& results) {
     case GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT:
       results.number(caps.maxAnisotropy);
       break;
+    case GL_MAX_RENDERBUFFER_SIZE_OES:
+      results.integer(caps.maxTextureSize);
+      break;
+    case GL_FRAMEBUFFER_BINDING_OES:
+      results.integer(c.boundFramebuffer ? c.boundFramebuffer->name : 0);
+      break;
+    case GL_RENDERBUFFER_BINDING_OES:
+      results.integer(c.boundRenderbuffer ? c.boundRenderbuffer->name : 0);
+      break;
     case GL_MAX_VIEWPORT_DIMS:
       results.integer(caps.maxViewport[0]), results.integer(caps.maxViewport[1]);
       break;
@@ -424,6 +437,10 @@ bool getLimits(Context& c, GLenum name, Results& results) {
 
 // Table 6.23, and OES_read_format.
 bool getPixelDepths(Context& c, GLenum name, Results& results) {
+  if (c.boundFramebuffer) {
+    ShareLock lock(*c.group);
+    c.framebufferComplete();
+  }
   const render::Framebuffer& framebuffer = c.state.framebuffer;
   const auto infoOf = [](const render::Attachment& attachment) {
     return attachment.image ? render::info(attachment.image->desc().format) : render::FormatInfo{};

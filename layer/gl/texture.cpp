@@ -225,8 +225,7 @@ bool Texture::chainComplete(int face) const {
   return true;
 }
 
-bool Texture::complete() const {
-  if (ready_) return true;
+bool Texture::baseComplete() const {
   const TextureLevel& base = at(0, 0);
   if (base.null()) return false;
   for (int face = 0; face < faces(); ++face) {
@@ -234,9 +233,28 @@ bool Texture::complete() const {
     if (slot == kSlotCube && t.width != t.height) return false;
     if (t.width != base.width || t.height != base.height || t.internalFormat != base.internalFormat)
       return false;
-    if (usesMipmaps() && !chainComplete(face)) return false;
   }
   return true;
+}
+
+bool Texture::complete() const {
+  if (ready_) return true;
+  if (!baseComplete()) return false;
+  for (int face = 0; usesMipmaps() && face < faces(); ++face) {
+    if (!chainComplete(face)) return false;
+  }
+  return true;
+}
+
+bool Texture::canGenerateMipmaps() const {
+  if (!baseComplete()) return false;
+  return !import_ || import_->desc().levels >= chainLength(at(0, 0).width, at(0, 0).height);
+}
+
+// At once: level 0 may be drawn to before a derived level is needed.
+bool Texture::generateMipmaps(Context& c) {
+  for (int face = 0; face < faces(); ++face) deriveChain(c, face);
+  return realise(c, chainLength(at(0, 0).width, at(0, 0).height));
 }
 
 // --- automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
@@ -264,6 +282,12 @@ void Texture::baseChanged(Context& c, int face) {
   if (base.null() || !derives(base.internalFormat)) return;
   const int length = chainLength(base.width, base.height);
   if (import_ && import_->desc().levels < length) return;  // EGL_MIPMAP_TEXTURE is off
+  deriveChain(c, face);
+}
+
+void Texture::deriveChain(Context& c, int face) {
+  const TextureLevel& base = at(face, 0);
+  const int length = chainLength(base.width, base.height);
   for (int level = 1; level < length; ++level) {
     TextureLevel derived;
     derived.width = std::max(base.width >> level, 1);

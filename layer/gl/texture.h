@@ -85,6 +85,11 @@ struct Texture {
   bool complete() const;
   GLenum baseFormat() const { return baseFormatOf(at(0, 0).internalFormat); }
 
+  // GenerateMipmapOES: levels 1 and up from level 0. canGenerateMipmaps: there is a level 0 on every face,
+  // and faces agree. False: out of memory.
+  bool canGenerateMipmaps() const;
+  bool generateMipmaps(Context& c);
+
   // The image to sample, with every level that the sampler can select, for a complete texture. Null: out of
   // memory.
   const std::shared_ptr<render::Image>& sampled(Context& c);
@@ -110,6 +115,8 @@ struct Texture {
   bool hasDerived(int face, int from = 1) const;
   bool keepDerived(Context& c, int face, int width, int height, GLenum internalFormat);
   void baseChanged(Context& c, int face);
+  void deriveChain(Context& c, int face);
+  bool baseComplete() const;
 
   // texture_storage.cpp. All but the first two: false, or no image, when out of memory.
   Place placeOf(int face, int level) const;

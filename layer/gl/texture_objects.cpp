@@ -1,6 +1,7 @@
 // Texture names and bindings (section 3.7.11), images of EGL, and what a draw samples (section 3.7.13).
 #include <new>
 
+#include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
 
 namespace anteroom::gl {
@@ -124,6 +125,7 @@ GL_API void GL_APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
     const std::shared_ptr<Texture> texture = c->group->textures.remove(textures[i]);
     if (!texture) continue;
     const TextureSlot slot = texture->slot;
+    detach(*c, texture.get(), nullptr);
     for (UnitBindings& unit : c->units) {
       if (unit.bound[slot] == texture) bind(*c, unit, slot, c->defaultTextures[slot]);
     }

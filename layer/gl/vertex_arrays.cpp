@@ -116,6 +116,8 @@ void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum t
   if (size < allowed.sizeMin || size > allowed.sizeMax) return c.setError(GL_INVALID_VALUE);
   if (!(typeBit(type) & allowed.types)) return c.setError(GL_INVALID_ENUM);
   if (stride < 0) return c.setError(GL_INVALID_VALUE);
+  // OES_vertex_array_object: its objects hold no client memory.
+  if (c.boundVertexArray->name != 0 && !c.arrayBuffer && pointer) return c.setError(GL_INVALID_OPERATION);
   ClientArray& array = c.vertexArrays.arrays[index];
   array.size = size;
   array.type = type;

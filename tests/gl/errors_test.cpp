@@ -55,7 +55,7 @@ const std::vector<Case>& cases() {
       {"draw elements mode", GL_INVALID_ENUM,
        [] { glDrawElements(GL_TRIANGLE_FAN + 1, 3, GL_UNSIGNED_BYTE, kFour); }},
       {"draw elements type", GL_INVALID_ENUM,
-       [] { glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, kFour); }},
+       [] { glDrawElements(GL_TRIANGLES, 3, GL_SHORT, kFour); }},
       {"draw elements count", GL_INVALID_VALUE,
        [] { glDrawElements(GL_TRIANGLES, -3, GL_UNSIGNED_BYTE, kFour); }},
       {"fog scalar color", GL_INVALID_ENUM, [] { glFogf(GL_FOG_COLOR, 1); }},

@@ -1,0 +1,171 @@
+// OES_framebuffer_object: renderbuffers; their formats also of OES_rgb8_rgba8, OES_depth24, OES_stencil1, 4
+// and 8, and OES_packed_depth_stencil.
+#include "layer/gl/framebuffer_object.h"
+
+using namespace anteroom::gl;
+namespace render = anteroom::render;
+using render::Format;
+
+namespace {
+
+// None: not an internal format of renderbuffers. Fewer stencil bits are not offered: it has 8.
+Format formatOf(GLenum internalFormat) {
+  switch (internalFormat) {
+    case GL_RGB565_OES:
+      return Format::RGB565;
+    case GL_RGBA4_OES:
+      return Format::RGBA4444;
+    case GL_RGB5_A1_OES:
+      return Format::RGBA5551;
+    case GL_RGB8_OES:
+      return Format::RGB8;
+    case GL_RGBA8_OES:
+      return Format::RGBA8;
+    case GL_DEPTH_COMPONENT16_OES:
+      return Format::Depth16;
+    case GL_DEPTH_COMPONENT24_OES:
+      return Format::Depth24;
+    case GL_DEPTH24_STENCIL8_OES:
+      return Format::Depth24Stencil8;
+    case GL_STENCIL_INDEX1_OES:
+    case GL_STENCIL_INDEX4_OES:
+    case GL_STENCIL_INDEX8_OES:
+      return Format::Stencil8;
+    default:
+      return Format::None;
+  }
+}
+
+// The renderable format that has at least what was asked for.
+Format renderableFormat(const render::Caps& caps, Format format) {
+  if (caps.renderable[static_cast<size_t>(format)]) return format;
+  switch (format) {
+    case Format::RGB565:
+      return Format::RGB8;
+    case Format::RGBA4444:
+    case Format::RGBA5551:
+      return Format::RGBA8;
+    case Format::Depth24:
+    case Format::Stencil8:
+      return Format::Depth24Stencil8;
+    default:
+      return format;
+  }
+}
+
+}  // namespace
+
+GL_API GLboolean GL_APIENTRY glIsRenderbufferOES(GLuint renderbuffer) {
+  Context* c = current();
+  if (!c || renderbuffer == 0) return GL_FALSE;
+  ShareLock lock(*c->group);
+  return c->group->renderbuffers.find(renderbuffer) ? GL_TRUE : GL_FALSE;
+}
+
+GL_API void GL_APIENTRY glBindRenderbufferOES(GLenum target, GLuint renderbuffer) {
+  Context* c = current();
+  if (!c) return;
+  if (target != GL_RENDERBUFFER_OES) return c->setError(GL_INVALID_ENUM);
+  ShareLock lock(*c->group);
+  if (renderbuffer == 0) return c->boundRenderbuffer.reset();
+  std::shared_ptr<Renderbuffer> object = obtain(c->group->renderbuffers, renderbuffer);
+  if (!object) return c->setError(GL_OUT_OF_MEMORY);
+  c->boundRenderbuffer = std::move(object);
+}
+
+GL_API void GL_APIENTRY glDeleteRenderbuffersOES(GLsizei n, const GLuint* renderbuffers) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (!renderbuffers) return;
+  ShareLock lock(*c->group);
+  for (GLsizei i = 0; i < n; ++i) {
+    if (renderbuffers[i] == 0) continue;
+    const std::shared_ptr<Renderbuffer> object = c->group->renderbuffers.remove(renderbuffers[i]);
+    if (!object) continue;
+    if (c->boundRenderbuffer == object) c->boundRenderbuffer.reset();
+    detach(*c, nullptr, object.get());
+  }
+}
+
+GL_API void GL_APIENTRY glGenRenderbuffersOES(GLsizei n, GLuint* renderbuffers) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (!renderbuffers) return;
+  ShareLock lock(*c->group);
+  if (!c->group->renderbuffers.reserve(n, renderbuffers)) c->setError(GL_OUT_OF_MEMORY);
+}
+
+GL_API void GL_APIENTRY glRenderbufferStorageOES(GLenum target, GLenum internalformat, GLsizei width,
+                                                 GLsizei height) {
+  Context* c = current();
+  if (!c) return;
+  const Format asked = formatOf(internalformat);
+  if (target != GL_RENDERBUFFER_OES || asked == Format::None) return c->setError(GL_INVALID_ENUM);
+  const render::Caps& caps = c->device.caps();
+  if (width < 0 || height < 0 || width > caps.maxTextureSize || height > caps.maxTextureSize) {
+    return c->setError(GL_INVALID_VALUE);
+  }
+  ShareLock lock(*c->group);
+  Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
+  if (!renderbuffer) return c->setError(GL_INVALID_OPERATION);
+  std::shared_ptr<render::Image> image;
+  if (width != 0 && height != 0) {
+    render::ImageDesc desc;
+    desc.format = renderableFormat(caps, asked);
+    desc.width = width;
+    desc.height = height;
+    desc.renderable = true;
+    image = c->device.createImage(desc);
+    if (!image) return c->setError(GL_OUT_OF_MEMORY);
+  }
+  renderbuffer->internalFormat = internalformat;
+  renderbuffer->width = width;
+  renderbuffer->height = height;
+  renderbuffer->image = std::move(image);
+  c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+}
+
+GL_API void GL_APIENTRY glGetRenderbufferParameterivOES(GLenum target, GLenum pname, GLint* params) {
+  Context* c = current();
+  if (!c) return;
+  if (target != GL_RENDERBUFFER_OES) return c->setError(GL_INVALID_ENUM);
+  ShareLock lock(*c->group);
+  const Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
+  if (!renderbuffer) return c->setError(GL_INVALID_OPERATION);
+  if (!params) return;
+  const render::FormatInfo bits =
+      renderbuffer->image ? render::info(renderbuffer->image->desc().format) : render::FormatInfo{};
+  switch (pname) {
+    case GL_RENDERBUFFER_WIDTH_OES:
+      *params = renderbuffer->width;
+      break;
+    case GL_RENDERBUFFER_HEIGHT_OES:
+      *params = renderbuffer->height;
+      break;
+    case GL_RENDERBUFFER_INTERNAL_FORMAT_OES:
+      *params = static_cast<GLint>(renderbuffer->internalFormat);
+      break;
+    case GL_RENDERBUFFER_RED_SIZE_OES:
+      *params = bits.red;
+      break;
+    case GL_RENDERBUFFER_GREEN_SIZE_OES:
+      *params = bits.green;
+      break;
+    case GL_RENDERBUFFER_BLUE_SIZE_OES:
+      *params = bits.blue;
+      break;
+    case GL_RENDERBUFFER_ALPHA_SIZE_OES:
+      *params = bits.alpha;
+      break;
+    case GL_RENDERBUFFER_DEPTH_SIZE_OES:
+      *params = bits.depth;
+      break;
+    case GL_RENDERBUFFER_STENCIL_SIZE_OES:
+      *params = bits.stencil;
+      break;
+    default:
+      c->setError(GL_INVALID_ENUM);
+  }
+}
