@@ -10,10 +10,13 @@ using namespace anteroom::gl;
 namespace {
 
 // An extension is listed when all of it works.
-constexpr std::array<std::string_view, 28> kExtensions{
+constexpr std::array<std::string_view, 35> kExtensions{
     "GL_APPLE_texture_max_level",          // TEXTURE_MAX_LEVEL_APPLE
     "GL_EXT_blend_minmax",                 // MIN_EXT, MAX_EXT
+    "GL_EXT_debug_marker",                 // event and group markers
     "GL_EXT_discard_framebuffer",          // DiscardFramebufferEXT
+    "GL_EXT_map_buffer_range",             // MapBufferRangeEXT
+    "GL_EXT_multi_draw_arrays",            // MultiDrawArraysEXT, MultiDrawElementsEXT
     "GL_EXT_texture_filter_anisotropic",   // TEXTURE_MAX_ANISOTROPY_EXT
     "GL_EXT_texture_lod_bias",             // TEXTURE_LOD_BIAS_EXT of a unit
     "GL_OES_blend_equation_separate",      // BlendEquationSeparateOES
@@ -22,9 +25,12 @@ constexpr std::array<std::string_view, 28> kExtensions{
     "GL_OES_byte_coordinates",             // BYTE vertices and texture coordinates
     "GL_OES_compressed_paletted_texture",  // ten internal formats of CompressedTexImage2D
     "GL_OES_depth24",                      // renderbuffer format
+    "GL_OES_draw_texture",                 // DrawTex...OES
+    "GL_OES_element_index_uint",           // UNSIGNED_INT indices
     "GL_OES_fbo_render_mipmap",            // any level as an attachment
     "GL_OES_fixed_point",                  // ...x commands, FIXED arrays
     "GL_OES_framebuffer_object",           // framebuffer and renderbuffer objects, GenerateMipmapOES
+    "GL_OES_mapbuffer",                    // MapBufferOES
     "GL_OES_matrix_get",                   // ..._MATRIX_FLOAT_AS_INT_BITS_OES
     "GL_OES_packed_depth_stencil",         // renderbuffer format DEPTH24_STENCIL8_OES
     "GL_OES_point_size_array",             // PointSizePointerOES
@@ -39,6 +45,7 @@ constexpr std::array<std::string_view, 28> kExtensions{
     "GL_OES_texture_env_crossbar",         // any TEXTUREn as a source
     "GL_OES_texture_mirrored_repeat",      // MIRRORED_REPEAT_OES
     "GL_OES_texture_npot",                 // sizes that are no power of two, with mip levels and REPEAT
+    "GL_OES_vertex_array_object",          // vertex array objects
 };
 
 // What some devices lack.
