@@ -433,7 +433,12 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands) {
 void VulkanContext::record(VkCommandBuffer commands, const Geometry& g) {
   const auto& fn = device_.fn();
   if (!g.indexed) {
-    fn.vkCmdDraw(commands, g.count, 1, g.first, 0);
+    // llvmpipe looks for rectangles in lists of exactly nine vertices, and draws nothing at all when the last
+    // triangle is a point.
+    const bool nine = g.count / 3 == 3 && wanted_.fixed.topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    const uint32_t apart = nine && device_.caps().isCpu ? 3 : 0;
+    if (apart) fn.vkCmdDraw(commands, 6, 1, g.first, 0);
+    fn.vkCmdDraw(commands, apart ? apart : g.count, 1, g.first + (apart ? 6 : 0), 0);
     return;
   }
   if (g.indexBuffer != bound_.indexBuffer || g.indexOffset != bound_.indexOffset ||

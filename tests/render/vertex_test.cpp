@@ -237,23 +237,22 @@ TEST_P(Vertices, JoinedDrawsKeepTheirMatrices) {
 }
 
 // Lighting and fog see the matrices of each draw, too.
-TEST_P(Vertices, JoinedDrawsAreLitAsSingleOnes) {
+TEST_P(Vertices, JoinedDrawsLookLikeSingleOnes) {
   const float corners[] = {0, 0, 0, 1, 0, .5f, 0, 1, 1}, normals[] = {0, 0, 1, .6f, 0, .8f, 0, .8f, .6f};
-  const auto picture = [&](bool single) {
+  const auto picture = [&](bool lit, bool single) {
     Scene scene(GetParam(), 64, 64);
     gen::State& fixed = scene.state.fixed;
-    fixed.lighting.enabled = fixed.lighting.normalize = fixed.lighting.colorMaterial = true;
-    fixed.lighting.lights[0].enabled = fixed.fog.enabled = true;
+    fixed.lighting.enabled = fixed.lighting.normalize = fixed.lighting.colorMaterial = lit;
+    fixed.lighting.lights[0].enabled = true;
     fixed.lighting.lights[0].diffuse = {1, 1, 1, 1};
-    fixed.lighting.lights[0].position = {.3, .4, 2, 1};
-    fixed.fog.density = .5f;
+    fixed.fog.enabled = !lit;
     scene.array(gen::kPosition, corners, 3);
     scene.array(gen::kNormal, normals, 3);
     scene.clear(GL_COLOR_BUFFER_BIT);
     for (int i = 0; i < 256; ++i) {
       const double angle = i * .1, c = std::cos(angle) / 10, s = std::sin(angle) / 10;
       fixed.modelview = {
-          {c, 0, s, 0}, {0, .1, 0, 0}, {-s, 0, c, 0}, {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, -.1, 1}};
+          {c, 0, s, 0}, {0, .1, 0, 0}, {-s, 0, c, 0}, {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, i / 300.0, 1}};
       scene.state.dirty |= gen::kGroupModelview;
       if (single) scene.state.dirty |= gen::kGroupRaster;
       scene.color(1, static_cast<float>(i % 7) / 6, .5f);
@@ -261,7 +260,25 @@ TEST_P(Vertices, JoinedDrawsAreLitAsSingleOnes) {
     }
     return scene.read();
   };
-  EXPECT_EQ(picture(false), picture(true));
+  EXPECT_EQ(picture(true, false), picture(true, true));
+  EXPECT_EQ(picture(false, false), picture(false, true));
+}
+
+// Some drivers lose the whole list, when its number of vertices is a certain one.
+TEST_P(Vertices, ADegenerateTriangleHidesNoOther) {
+  Scene scene(GetParam());
+  for (int count = 6; count <= 36; ++count) {
+    std::vector<float> corners(static_cast<size_t>(count) * 2, 0.25f);
+    const float half[] = {-1, -1, 1, -1, -1, 1};
+    for (int i = 0; i < (count / 3 - 1) * 6; ++i) corners[static_cast<size_t>(i)] = half[i % 6];
+    for (const int draws : {1, 2}) {
+      scene.clear(GL_COLOR_BUFFER_BIT);
+      scene.array(gen::kPosition, corners.data(), 2);
+      for (int i = 0; i < draws; ++i) scene.draw(GL_TRIANGLES, count);
+      ASSERT_EQ(scene.at(2, 2), kWhite) << count;
+      ASSERT_EQ(scene.at(13, 13), kBlack) << count;
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Vertices, testing::Values(false, true), profileName);
