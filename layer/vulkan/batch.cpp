@@ -1,5 +1,8 @@
-// Consecutive small draws of separate primitives that differ only in their vertices, and in values that their
+// Consecutive small draws that differ only in their vertices, and in values that their
 // vertices carry, become one draw: on every driver the cost of a small draw is the draw, not its vertices.
+#include <algorithm>
+#include <array>
+
 #include "layer/vulkan/context.h"
 
 namespace anteroom::vulkan {
@@ -16,18 +19,27 @@ constexpr uint32_t kMostAlone = 64;
 // Groups that hold values only: no key depends on them.
 constexpr gen::Groups kValueGroups = gen::kGroupModelview | gen::kGroupProjection | gen::kGroupCurrentColor;
 
-// Vertices of a primitive of a mode that draws separate ones; 0: another mode.
-uint32_t verticesOf(GLenum mode) {
+// The mode that draws the primitives of `mode` separately.
+GLenum separate(GLenum mode) {
   switch (mode) {
     case GL_POINTS:
-      return 1;
+      return GL_POINTS;
     case GL_LINES:
-      return 2;
-    case GL_TRIANGLES:
-      return 3;
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP:
+      return GL_LINES;
     default:
-      return 0;
+      return GL_TRIANGLES;
   }
+}
+
+// Vertices of a primitive of a mode that draws separate ones.
+uint32_t verticesOf(GLenum separate) {
+  return separate == GL_POINTS ? 1 : separate == GL_LINES ? 2 : 3;
+}
+
+bool isPlain(const render::DrawCall& call) {
+  return !call.indexType && call.mode == separate(call.mode);
 }
 
 }  // namespace
@@ -40,34 +52,85 @@ gen::Groups VulkanContext::harmless() const {
   return gen::kGroupArrays | (kValueGroups & ~read);
 }
 
+// Whether the draw gains from company, its vertices carrying so much.
+bool VulkanContext::isSmall(const render::DrawCall& call, Carried carried) const {
+  const auto count = static_cast<uint32_t>(call.count);
+  if (carried != Carried::Values) return isPlain(call) && count <= kMostJoined;
+  return count <= kMostCarrying && expandedCount(call.mode, Expansion::ToList, count) <= kMostCarrying;
+}
+
+// Whether its vertices are named one by one, so that it can be in a batch.
+bool VulkanContext::takesList(const render::DrawCall& call) const {
+  return carried_ == Carried::Values &&
+         (!isPlain(call) || expansionOf(call.mode) == Expansion::ToListRotated);
+}
+
+// The vertices of a small draw, one separate primitive after another: at most kMostCarrying.
+uint32_t VulkanContext::listOf(const render::DrawCall& call, uint32_t* list) const {
+  auto count = static_cast<uint32_t>(call.count);
+  const auto* indices = static_cast<const std::byte*>(call.indices);
+  if (call.indexType && call.indexBuffer) {
+    // Indices beyond the buffer's end are not drawn.
+    const VulkanBuffer& buffer = vulkan(*call.indexBuffer);
+    const size_t offset = reinterpret_cast<uintptr_t>(call.indices);
+    const size_t have = offset < buffer.size() ? (buffer.size() - offset) / indexSize(call.indexType) : 0;
+    count = static_cast<uint32_t>(std::min<size_t>(count, have));
+    indices = buffer.contents() + offset;
+  }
+  const Expansion wanted = expansionOf(call.mode);
+  const Expansion expansion = wanted == Expansion::ToListRotated ? wanted : Expansion::ToList;
+  expandIndices(call.mode, expansion, call.indexType, call.indexType ? indices : nullptr, count,
+                call.indexType ? 0 : static_cast<uint32_t>(call.first), list);
+  return expandedCount(call.mode, expansion, count);
+}
+
+// Gathers the vertices of a draw that may join the batch.
+bool VulkanContext::appendTo(const render::State& state, const render::DrawCall& call, uint32_t& count) {
+  const bool moved = stale_ & gen::kGroupArrays;
+  if (takesList(call)) {
+    std::array<uint32_t, kMostCarrying> list;
+    count = listOf(call, list.data());
+    return fetch_.append(state, moved, list.data(), 0, count, vertices_, commands_);
+  }
+  const uint32_t each = verticesOf(call.mode);
+  count = static_cast<uint32_t>(call.count) / each * each;
+  return fetch_.append(state, moved, nullptr, static_cast<uint32_t>(call.first), count, vertices_, commands_);
+}
+
 // Appends the draw to the open batch. False: it is not of its kind.
 bool VulkanContext::join(const render::State& state, const render::DrawCall& call) {
-  if (stale_ & ~harmless() || call.mode != batch_.mode || call.indexType || call.first < 0) return false;
-  const uint32_t each = verticesOf(call.mode);
-  const auto count = static_cast<uint32_t>(call.count) / each * each;
-  if (count == 0) return true;
-  if (count > mostJoined() || batch_.count + count > kMostBatched) return false;
-  const bool moved = stale_ & gen::kGroupArrays;
-  if (moved && shapesOf(state.fixed) != shapes_) return false;
+  if (stale_ & ~harmless() || separate(call.mode) != batch_.mode) return false;
+  if (call.count <= 0 || call.first < 0 || !isSmall(call, carried_)) return false;
+  if (batch_.count + kMostJoined > kMostBatched) return false;
+  if (stale_ & gen::kGroupArrays && shapesOf(state.fixed) != shapes_) return false;
   if (carried_ == Carried::Values && stale_ & blocks_.pushGroups)
     gen::packPush(vertexKey_, state.fixed, push_.data());
-  if (!fetch_.append(state, moved, static_cast<uint32_t>(call.first), count, vertices_, commands_))
-    return false;
+  uint32_t count = 0;
+  if (!appendTo(state, call, count)) return false;
   batch_.count += count;
   alone_ = 0;
   stale_ = 0;
   return true;
 }
 
-uint32_t VulkanContext::mostJoined() const {
-  return carried_ == Carried::Values ? kMostCarrying : kMostJoined;
+// A small draw as a list of separate primitives, whatever its mode.
+bool VulkanContext::listGeometry(const render::DrawCall& call, Geometry& out) {
+  std::array<uint32_t, kMostCarrying> list;
+  out.count = listOf(call, list.data());
+  if (out.count == 0) return true;
+  wanted_.fixed.topology = static_cast<uint8_t>(topologyOf(separate(call.mode)));
+  if (!fetch_.fetchList(GL_UNSIGNED_INT, reinterpret_cast<const std::byte*>(list.data()), 0, out.count,
+                        vertices_, commands_))
+    return false;
+  out.first = static_cast<uint32_t>(fetch_.vertexOffset());
+  return true;
 }
 
 // Holds the draw back, when others may join it. Everything that it needs is bound.
 bool VulkanContext::openBatch(const render::DrawCall& call, const Geometry& geometry) {
-  const uint32_t each = verticesOf(call.mode);
-  if (geometry.indexed || each == 0 || geometry.count > mostJoined() || !fetch_.gathersAll()) return false;
-  batch_ = {call.mode, geometry.first, geometry.count / each * each};
+  if (geometry.indexed || !isSmall(call, carried_) || !fetch_.gathersAll()) return false;
+  const GLenum mode = separate(call.mode);
+  batch_ = {mode, geometry.first, geometry.count / verticesOf(mode) * verticesOf(mode)};
   return true;
 }
 
@@ -81,13 +144,15 @@ void VulkanContext::flushBatch() {
 // that these draws can be one. That takes a shader of its own: it must have happened often, in a row.
 void VulkanContext::watch(const render::State& state, const render::DrawCall& call) {
   const bool small =
-      verticesOf(call.mode) != 0 && !call.indexType && static_cast<uint32_t>(call.count) <= mostJoined();
+      isSmall(call, carried_) || (carried_ == Carried::Nothing && isSmall(call, Carried::Values));
   if (!small || (carried_ != Carried::Nothing && ++alone_ > kMostAlone)) return carry(Carried::Nothing);
   const gen::Groups changed = stale_ & kValueGroups;
-  const bool colorOnly = changed == gen::kGroupCurrentColor && !state.arrays[gen::kPosition].buffer;
+  const bool colorOnly = changed == gen::kGroupCurrentColor && isSmall(call, Carried::Color) &&
+                         !state.arrays[gen::kPosition].buffer;
+  const bool values = carriesValues_ && isSmall(call, Carried::Values);
   const bool valuesOnly = changed && !(stale_ & ~(kValueGroups | gen::kGroupArrays)) &&
                           !(changed & (blocks_.vertexGroups | blocks_.fragmentGroups));
-  const Carried better = colorOnly ? Carried::Color : carriesValues_ ? Carried::Values : Carried::Nothing;
+  const Carried better = colorOnly ? Carried::Color : values ? Carried::Values : Carried::Nothing;
   valueChanges_ = valuesOnly && better > carried_ ? valueChanges_ + 1 : 0;
   if (valueChanges_ >= valueChangesNeeded_) carry(better);
 }

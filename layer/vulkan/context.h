@@ -97,7 +97,10 @@ class VulkanContext final : public render::Context {
   bool openBatch(const render::DrawCall& call, const Geometry& geometry);
   void flushBatch();
   gen::Groups harmless() const;
-  uint32_t mostJoined() const;
+  bool isSmall(const render::DrawCall& call, Carried carried) const;
+  bool takesList(const render::DrawCall& call) const;
+  uint32_t listOf(const render::DrawCall& call, uint32_t* list) const;
+  bool appendTo(const render::State& state, const render::DrawCall& call, uint32_t& count);
   void watch(const render::State& state, const render::DrawCall& call);
   void carry(Carried carried);
 
@@ -119,6 +122,7 @@ class VulkanContext final : public render::Context {
   bool bindTextures(VkCommandBuffer commands);
   void record(VkCommandBuffer commands, const Geometry& geometry);
   bool geometry(const render::DrawCall& call, Geometry& out);
+  bool listGeometry(const render::DrawCall& call, Geometry& out);
   bool arraysGeometry(const render::DrawCall& call, Expansion expansion, Geometry& out);
   bool elementsGeometry(const render::DrawCall& call, Expansion expansion, Geometry& out);
   bool writeIndices(const render::DrawCall& call, Expansion expansion, const std::byte* indices,

@@ -188,6 +188,7 @@ Expansion VulkanContext::expansionOf(GLenum mode) const {
 
 bool VulkanContext::geometry(const render::DrawCall& call, Geometry& out) {
   if (call.count <= 0 || call.first < 0) return true;
+  if (takesList(call)) return listGeometry(call, out);
   const Expansion expansion = expansionOf(call.mode);
   GLenum mode = call.mode;
   if (expansion == Expansion::ToList || expansion == Expansion::ToListRotated)

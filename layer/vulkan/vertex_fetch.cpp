@@ -200,19 +200,38 @@ void VertexFetch::gather(uint32_t first, uint32_t count, uint32_t stride, std::b
   }
 }
 
-bool VertexFetch::append(const render::State& state, bool moved, uint32_t first, uint32_t count,
-                         Stream& stream, const CommandStream& commands) {
+void VertexFetch::gatherList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count,
+                             uint32_t stride, std::byte* to) {
+  for (uint32_t i = 0; i < count_; ++i) {
+    const Source& s = sources_[i];
+    const std::byte* const from = s.buffer ? s.buffer->contents() + s.offset : s.pointer;
+    for (uint32_t n = 0; n < count; ++n) {
+      const uint64_t index = indices ? readIndex(indexType, indices, n) : uint64_t{first} + n;
+      std::byte* const element = to + size_t{n} * stride + place_[i];
+      if (index < s.limit)
+        std::memcpy(element, from + index * s.stride, s.bytes);
+      else
+        std::memset(element, 0, s.bytes);
+    }
+  }
+}
+
+bool VertexFetch::append(const render::State& state, bool moved, const uint32_t* list, uint32_t first,
+                         uint32_t count, Stream& stream, const CommandStream& commands) {
   if (moved)
     for (uint32_t i = 0; i < count_; ++i)
       if (!sources_[i].carried) place(state.arrays[sources_[i].location], sources_[i]);
-  if (!inside(uint64_t{first} + count)) return false;
+  if (!list && !inside(uint64_t{first} + count)) return false;
   const VkDeviceSize bytes = VkDeviceSize{arena_.stride} * count;
   if (arena_.stride == 0 || arena_.recording != commands.recordingId() ||
       !stream.extend(arena_.piece, arena_.used, bytes))
     return false;
   std::byte* const to = arena_.piece.mapped + arena_.used;
   arena_.used += bytes;
-  gather(first, count, arena_.stride, to);
+  if (list)
+    gatherList(GL_UNSIGNED_INT, reinterpret_cast<const std::byte*>(list), 0, count, arena_.stride, to);
+  else
+    gather(first, count, arena_.stride, to);
   return true;
 }
 
@@ -248,18 +267,7 @@ bool VertexFetch::fetchList(GLenum indexType, const std::byte* indices, uint32_t
   uint32_t base;
   std::byte* const to = reserve(stride, count, false, stream, commands, base);
   if (!to) return false;
-  for (uint32_t i = 0; i < count_; ++i) {
-    const Source& s = sources_[i];
-    const std::byte* const from = s.buffer ? s.buffer->contents() + s.offset : s.pointer;
-    for (uint32_t n = 0; n < count; ++n) {
-      const uint64_t index = indices ? readIndex(indexType, indices, n) : uint64_t{first} + n;
-      std::byte* const element = to + size_t{n} * stride + place_[i];
-      if (index < s.limit)
-        std::memcpy(element, from + index * s.stride, s.bytes);
-      else
-        std::memset(element, 0, s.bytes);
-    }
-  }
+  gatherList(indexType, indices, first, count, stride, to);
   bindArena(all, stride);
   vertexOffset_ = static_cast<int32_t>(base);
   return true;

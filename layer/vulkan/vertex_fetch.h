@@ -37,9 +37,10 @@ class VertexFetch {
   // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
   bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
   // Gathers vertices behind those of the last fetchRange, with the same arrays at other places: one more draw
-  // can then be one with the last. `moved`: the arrays may lie elsewhere. False: configure and fetch anew.
-  bool append(const render::State& state, bool moved, uint32_t first, uint32_t count, Stream& stream,
-              const CommandStream& commands);
+  // can then be one with the last. `moved`: the arrays may lie elsewhere. Not null: the vertices that `list`
+  // names. False: configure and fetch anew.
+  bool append(const render::State& state, bool moved, const uint32_t* list, uint32_t first, uint32_t count,
+              Stream& stream, const CommandStream& commands);
   // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies
   // outside a buffer is zero.
   bool fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, Stream& stream,
@@ -81,6 +82,8 @@ class VertexFetch {
                      const CommandStream& commands, uint32_t& base);
   uint32_t placeGathered(uint32_t mask);
   void gather(uint32_t first, uint32_t count, uint32_t stride, std::byte* to);
+  void gatherList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, uint32_t stride,
+                  std::byte* to);
   void bindArena(uint32_t mask, uint32_t stride);
 
   VulkanDevice& device_;

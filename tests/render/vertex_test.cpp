@@ -238,8 +238,10 @@ TEST_P(Vertices, JoinedDrawsKeepTheirMatrices) {
 
 // Lighting and fog see the matrices of each draw, too.
 TEST_P(Vertices, JoinedDrawsLookLikeSingleOnes) {
-  const float corners[] = {0, 0, 0, 1, 0, .5f, 0, 1, 1}, normals[] = {0, 0, 1, .6f, 0, .8f, 0, .8f, .6f};
-  const auto picture = [&](bool lit, bool single) {
+  const float corners[] = {0, 0, 0, 1, 0, .5f, 0, 1, 1, 1, 1, 0};
+  const float normals[] = {0, 0, 1, .6f, 0, .8f, 0, .8f, .6f, 0, -1, 0};
+  const uint16_t indices[] = {2, 0, 1, 3, 2};
+  const auto picture = [&](bool lit, GLenum mode, bool indexed, bool single) {
     Scene scene(GetParam(), 64, 64);
     gen::State& fixed = scene.state.fixed;
     fixed.lighting.enabled = fixed.lighting.normalize = fixed.lighting.colorMaterial = lit;
@@ -256,12 +258,21 @@ TEST_P(Vertices, JoinedDrawsLookLikeSingleOnes) {
       scene.state.dirty |= gen::kGroupModelview;
       if (single) scene.state.dirty |= gen::kGroupRaster;
       scene.color(1, static_cast<float>(i % 7) / 6, .5f);
-      scene.draw(GL_TRIANGLES, 3);
+      fixed.shadeModel = mode == GL_TRIANGLE_FAN ? GL_FLAT : GL_SMOOTH;
+      fixed.primitive = mode == GL_LINE_LOOP ? gen::PrimitiveClass::Lines : gen::PrimitiveClass::Triangles;
+      render::DrawCall call;
+      call.mode = mode;
+      call.count = indexed ? 5 - i % 2 : mode == GL_TRIANGLES ? 3 : 4;
+      if (indexed) call.indexType = GL_UNSIGNED_SHORT, call.indices = indices;
+      EXPECT_TRUE(scene.context->draw(scene.state, call));
     }
     return scene.read();
   };
-  EXPECT_EQ(picture(true, false), picture(true, true));
-  EXPECT_EQ(picture(false, false), picture(false, true));
+  for (const bool lit : {true, false})
+    for (const GLenum mode : {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_LINE_LOOP})
+      for (const bool indexed : {false, true})
+        EXPECT_EQ(picture(lit, mode, indexed, false), picture(lit, mode, indexed, true))
+            << lit << ' ' << mode << ' ' << indexed;
 }
 
 // Some drivers lose the whole list, when its number of vertices is a certain one.
