@@ -1,0 +1,53 @@
+// Renders scenes on several implementations, and judges.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "difference.h"
+#include "process.h"
+#include "scene.h"
+
+namespace comparison {
+
+struct Implementation {
+  std::string name;
+  Environment environment;
+};
+
+// What one implementation made of a scene.
+struct Result {
+  Picture picture;
+  double milliseconds = 0;  // of drawing and reading back once everything is compiled
+  std::string fault;        // a crash, or why there is no picture
+  Difference difference;
+};
+
+struct Row {
+  std::string name, section, mesaDiffers;
+  bool extreme = false;
+  int bound = 1;                          // what an interior pixel of ours may be off
+  std::string boundReason;                // empty: the project's own bound
+  std::map<std::string, Result> results;  // by implementation
+  int disagreements = 0;                  // interior pixels where Mesa is further from us than the bound
+  std::vector<std::string> failures;      // what of ours is out of bounds
+};
+
+struct Plan {
+  std::vector<Implementation> implementations;  // besides the reference
+  Environment reference;
+  std::vector<std::string> filters;  // parts of names; empty: all
+  int repeats = 3;
+  bool demos = true;
+  std::string out;  // directory for pictures; empty: none
+};
+
+std::vector<Row> compareAll(const Plan& plan);
+
+// Sum of what the reader wants to know first.
+std::string asTable(const std::vector<Row>& rows, const Plan& plan);
+std::string asCsv(const std::vector<Row>& rows, const Plan& plan);
+std::string asJson(const std::vector<Row>& rows, const Plan& plan);
+
+}  // namespace comparison

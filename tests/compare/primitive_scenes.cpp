@@ -1,0 +1,130 @@
+// Ordinary points, lines, polygons and clipping: sections 2.11 and 3.3 to 3.5.
+#include <cmath>
+
+#include "canvas.h"
+#include "scene.h"
+
+namespace comparison {
+
+namespace {
+
+Mesh star(int count) {
+  Mesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const double a = 6.28318 * i / count + 0.1;
+    mesh.positions.insert(
+        mesh.positions.end(),
+        {static_cast<GLfloat>(0.1 * std::cos(a)), static_cast<GLfloat>(0.1 * std::sin(a)), 0,
+         static_cast<GLfloat>(0.9 * std::cos(a)), static_cast<GLfloat>(0.9 * std::sin(a)), 0});
+    for (float c : {0.1f, 0.9f})
+      mesh.colors.insert(mesh.colors.end(), {c, static_cast<float>(i) / static_cast<float>(count), 1 - c, 1});
+  }
+  return mesh;
+}
+
+void lines() {
+  star(15).draw(GL_LINES);
+}
+void wideLines() {
+  glLineWidth(5);
+  star(7).draw(GL_LINES);
+}
+void smoothLines() {
+  glLineWidth(2.5f);
+  glEnable(GL_LINE_SMOOTH);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  star(7).draw(GL_LINES);
+}
+void points() {
+  glPointSize(7);
+  star(6).draw(GL_POINTS);
+}
+void smoothPoints() {
+  glPointSize(9.5f);
+  glEnable(GL_POINT_SMOOTH);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  star(6).draw(GL_POINTS);
+}
+void sprites() {
+  glPointSize(13);
+  texture(8, 8, noise);
+  environment(GL_REPLACE);
+  glEnable(GL_POINT_SPRITE_OES);
+  glTexEnvi(GL_POINT_SPRITE_OES, GL_COORD_REPLACE_OES, 1);
+  star(6).draw(GL_POINTS);
+}
+void attenuatedPoints() {
+  const GLfloat attenuation[] = {0.1f, 0.2f, 0.1f};
+  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
+  glPointSize(12);
+  perspective();
+  glTranslatef(0, 0, -3);
+  glRotatef(60, 1, 0, 0);
+  glScalef(1.5f, 1.5f, 1);
+  star(9).draw(GL_POINTS);
+}
+void strips() {
+  star(12).draw(GL_TRIANGLE_STRIP);
+}
+void flatFan() {
+  glShadeModel(GL_FLAT);
+  star(9).draw(GL_TRIANGLE_FAN);
+}
+void clipPlanes() {
+  const GLfloat first[] = {1, 0.5f, 0, 0.3f}, second[] = {-0.3f, -1, 0, 0.4f};
+  glClipPlanef(GL_CLIP_PLANE0, first);
+  glClipPlanef(GL_CLIP_PLANE1, second);
+  glEnable(GL_CLIP_PLANE0);
+  glEnable(GL_CLIP_PLANE1);
+  Mesh mesh = plane(4);
+  for (std::size_t i = 0; i < mesh.texCoords.size(); i += 2)
+    mesh.colors.insert(mesh.colors.end(), {mesh.texCoords[i], mesh.texCoords[i + 1], 0.5f, 1});
+  mesh.draw();
+}
+void culled() {
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_FRONT);
+  Mesh mesh = sphere(12, 8);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    mesh.colors.push_back(mesh.positions[i] * 0.5f + 0.5f);
+    if (i % 3 == 2) mesh.colors.push_back(1);
+  }
+  mesh.normals.clear();
+  perspective();
+  glTranslatef(0, 0, -2.2f);
+  mesh.draw();
+}
+// Most of it lies outside the view, some behind the eye.
+void throughTheEye() {
+  perspective(0.1, 20);
+  glTranslatef(0, -0.3f, 0);
+  glRotatef(-90, 1, 0, 0);
+  glScalef(5, 5, 1);
+  Mesh mesh = plane(1);
+  for (std::size_t i = 0; i < mesh.texCoords.size(); i += 2)
+    mesh.colors.insert(mesh.colors.end(), {mesh.texCoords[i], mesh.texCoords[i + 1], 0.5f, 1});
+  mesh.draw();
+}
+
+}  // namespace
+
+void addPrimitiveScenes(Scenes& scenes) {
+  scenes.insert(scenes.end(), {
+                                  {"lines/thin", "3.4.1", lines},
+                                  {"lines/wide", "3.4.2", wideLines},
+                                  {"lines/smooth", "3.4.2", smoothLines},
+                                  {"points/square", "3.3", points},
+                                  {"points/smooth", "3.3", smoothPoints},
+                                  {"points/sprites", "OES_point_sprite", sprites},
+                                  {"points/attenuated", "3.3", attenuatedPoints},
+                                  {"polygons/strip", "3.5.1", strips},
+                                  {"polygons/flat fan", "2.12.6", flatFan},
+                                  {"polygons/culled", "3.5.1", culled},
+                                  {"clipping/planes", "2.11", clipPlanes},
+                                  {"clipping/through the eye", "2.11", throughTheEye},
+                              });
+}
+
+}  // namespace comparison

@@ -1,0 +1,185 @@
+#include "worker.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GLES/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <stdexcept>
+
+#include "canvas.h"
+#include "scene.h"
+
+namespace comparison {
+
+namespace {
+
+class Display {
+ public:
+  Display() : handle_(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)) {
+    if (handle_ == EGL_NO_DISPLAY || !eglInitialize(handle_, nullptr, nullptr))
+      throw std::runtime_error("no surfaceless display");
+    eglBindAPI(EGL_OPENGL_ES_API);
+  }
+  ~Display() { eglTerminate(handle_); }
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+  EGLDisplay handle() const { return handle_; }
+
+ private:
+  EGLDisplay handle_;
+};
+
+EGLConfig chooseConfig(EGLDisplay display, const Surface& surface) {
+  const EGLint depth = 24, stencil = 8;
+  const EGLint wanted[] = {EGL_SURFACE_TYPE,
+                           EGL_PBUFFER_BIT,
+                           EGL_RENDERABLE_TYPE,
+                           EGL_OPENGL_ES_BIT,
+                           EGL_DEPTH_SIZE,
+                           depth,
+                           EGL_STENCIL_SIZE,
+                           stencil,
+                           EGL_SAMPLE_BUFFERS,
+                           surface.samples > 0 ? 1 : 0,
+                           EGL_SAMPLES,
+                           surface.samples,
+                           EGL_NONE};
+  std::array<EGLConfig, 256> configs;
+  EGLint count = 0;
+  eglChooseConfig(display, wanted, configs.data(), static_cast<EGLint>(configs.size()), &count);
+  const std::array<EGLint, 4> sizes =
+      surface.rgb565 ? std::array<EGLint, 4>{5, 6, 5, 0} : std::array<EGLint, 4>{8, 8, 8, 8};
+  constexpr std::array<EGLint, 4> names = {EGL_RED_SIZE, EGL_GREEN_SIZE, EGL_BLUE_SIZE, EGL_ALPHA_SIZE};
+  const auto attribute = [display](EGLConfig config, EGLint name) {
+    EGLint value = 0;
+    eglGetConfigAttrib(display, config, name, &value);
+    return value;
+  };
+  for (EGLint i = 0; i < count; ++i) {
+    const EGLConfig config = configs[static_cast<std::size_t>(i)];
+    bool fits = attribute(config, EGL_SAMPLES) == surface.samples;
+    for (std::size_t c = 0; c < names.size(); ++c) fits = fits && attribute(config, names[c]) == sizes[c];
+    if (fits) return config;
+  }
+  return nullptr;
+}
+
+// A pbuffer and a current context with initial state.
+class Session {
+ public:
+  Session(EGLDisplay display, const Surface& surface) : display_(display) {
+    const EGLConfig config = chooseConfig(display, surface);
+    if (!config) return;
+    const EGLint size[] = {EGL_WIDTH, surface.width, EGL_HEIGHT, surface.height, EGL_NONE};
+    const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
+    surface_ = eglCreatePbufferSurface(display, config, size);
+    context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, version);
+    current_ = eglMakeCurrent(display, surface_, surface_, context_) == EGL_TRUE;
+  }
+  ~Session() {
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+    if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  bool current() const { return current_; }
+
+ private:
+  EGLDisplay display_;
+  EGLSurface surface_ = EGL_NO_SURFACE;
+  EGLContext context_ = EGL_NO_CONTEXT;
+  bool current_ = false;
+};
+
+void write(const std::string& file, const Picture& picture) {
+  std::ofstream out(file, std::ios::binary);
+  const std::int32_t size[] = {picture.width, picture.height};
+  out.write(reinterpret_cast<const char*>(size), sizeof size);
+  out.write(reinterpret_cast<const char*>(picture.rgba.data()),
+            static_cast<std::streamsize>(picture.rgba.size()));
+  if (!out) throw std::runtime_error("cannot write " + file);
+}
+
+struct Rendered {
+  Picture picture;
+  double milliseconds = 0;  // drawing and reading back, without the making of the context
+};
+
+// An empty picture when there is no config of the kind.
+Rendered render(EGLDisplay display, const Scene& scene, const Shift& shift) {
+  const Session session(display, scene.surface);
+  if (!session.current()) return {};
+  Rendered result{{scene.surface.width, scene.surface.height, {}}, 0};
+  result.picture.rgba.assign(
+      static_cast<std::size_t>(scene.surface.width) * static_cast<std::size_t>(scene.surface.height) * 4,
+      0xcd);
+  setShift(shift.x, shift.y);
+  const auto start = std::chrono::steady_clock::now();
+  viewport(0, 0, scene.surface.width, scene.surface.height);
+  clear(0, 0, 0, 0);
+  scene.draw();
+  glReadPixels(0, 0, scene.surface.width, scene.surface.height, GL_RGBA, GL_UNSIGNED_BYTE,
+               result.picture.rgba.data());
+  const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+  result.milliseconds = elapsed.count();
+  return result;
+}
+
+void renderShifts(EGLDisplay display, const Scene& scene, const WorkerTask& task) {
+  Rendered rendered;
+  for (int i = 0; i < task.repeats; ++i) rendered = render(display, scene, kShifts[0]);
+  if (rendered.picture.rgba.empty()) throw std::runtime_error("no such config");
+  write(pictureFile(task.directory, scene.name, 0), rendered.picture);
+  for (int shift = 1; shift < task.shifts; ++shift)
+    write(pictureFile(task.directory, scene.name, shift), render(display, scene, kShifts[shift]).picture);
+  std::printf("done\t%s\t%.4f\n", scene.name.c_str(), rendered.milliseconds);
+}
+
+void renderAll(EGLDisplay display, const Scene& scene, const WorkerTask& task) {
+  std::printf("begin\t%s\n", scene.name.c_str());
+  std::fflush(stdout);
+  try {
+    renderShifts(display, scene, task);
+  } catch (const std::exception& error) {
+    std::printf("skip\t%s\t%s\n", scene.name.c_str(), error.what());
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+void work(const WorkerTask& task) {
+  const Display display;
+  for (const Scene& scene : allScenes())
+    if (std::find(task.scenes.begin(), task.scenes.end(), scene.name) != task.scenes.end())
+      renderAll(display.handle(), scene, task);
+}
+
+std::string pictureFile(const std::string& directory, const std::string& scene, int shift) {
+  std::string name = scene;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
+  return directory + "/" + name + "." + std::to_string(shift) + ".rgba";
+}
+
+Picture readPicture(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::int32_t size[2] = {};
+  Picture picture;
+  if (!in.read(reinterpret_cast<char*>(size), sizeof size) || size[0] <= 0 || size[1] <= 0) return picture;
+  picture.rgba.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 4);
+  if (!in.read(reinterpret_cast<char*>(picture.rgba.data()),
+               static_cast<std::streamsize>(picture.rgba.size())))
+    return {};
+  picture.width = size[0];
+  picture.height = size[1];
+  return picture;
+}
+
+}  // namespace comparison
