@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lighting/lighting.h"
+#include "particles/particles.h"
 #include "room/context.h"
 #include "room/demo.h"
 #include "room/picture.h"
@@ -24,6 +25,8 @@ const std::vector<room::DemoEntry>& demos() {
   static const std::vector<room::DemoEntry> entries = {
       {"lighting", "bump-mapped room, trash can with highlights, two moving spotlights and their shadows",
        lighting::makeLighting},
+      {"particles", "brazier in a cellar: a fire of point sprites, and lightmaps that flicker with it",
+       particles::makeParticles},
   };
   return entries;
 }
@@ -40,6 +43,7 @@ struct Options {
   std::string format = "png";
   int samples = 4;
   int supersample = 1;
+  room::Settings settings;
 };
 
 // Something the user can put right: the message alone is shown, and the exit status is 2.
@@ -157,6 +161,7 @@ void render(const room::DemoEntry& entry, const Options& options) {
   const int fine = options.supersample;
   const room::Context context(size.width * fine, size.height * fine, options.samples);
   const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
+  demo->configure(options.settings);
   demo->setup();
   room::checkErrors(fmt::format("the setup of {}", entry.name));
   for (std::string_view stage : stages) {
@@ -195,6 +200,10 @@ int run(int argc, char** argv) {
   app.add_option("--supersample", options.supersample, "render this many times larger and average")
       ->capture_default_str()
       ->check(CLI::Range(1, 4));
+  app.add_option("--particles", options.settings.particles, "particles: how many particles the fire has")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_flag("--quads", options.settings.quads, "particles: screen-aligned quads instead of point sprites");
   app.failure_message(CLI::FailureMessage::help);
   try {
     app.parse(argc, argv);

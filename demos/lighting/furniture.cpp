@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "can.h"
+#include "room/furniture.h"
 #include "room/materials.h"
 #include "room/noise.h"
 #include "scene.h"
@@ -16,62 +17,14 @@ namespace {
 using glm::dmat4;
 using glm::dvec2;
 using glm::dvec3;
+using room::board;
+using room::crate;
 using room::MeshData;
+using room::placed;
 
 constexpr unsigned kBothLights = 3;
 constexpr unsigned kWarmLight = 1;
 constexpr double kCell = 0.20;  // tessellation of the walls
-
-dmat4 at(const dvec3& position, double turn = 0) {
-  return glm::rotate(glm::translate(dmat4(1.0), position), turn, dvec3(0, 1, 0));
-}
-
-// A board whose texture differs from its neighbours'.
-MeshData board(const dvec3& size, int number) {
-  return room::box(size, 0.4, 1.0 / room::kWoodExtent, {room::hash(number, 1, 7), room::hash(number, 2, 7)});
-}
-
-// Planks inside a frame of boards, with a brace across. The frames meet edge to edge: nothing overlaps.
-MeshData crateSide(dvec2 size, double thick, int number) {
-  MeshData mesh;
-  constexpr double kFrame = 0.085;
-  constexpr int kPlanks = 5;
-  // The planks end behind the frame, or they would show through the neighbouring sides.
-  const dvec2 span = size - kFrame;
-  const double plank = span.y / kPlanks;
-  for (int i = 0; i < kPlanks; ++i) {
-    mesh.append(board({span.x, plank - 0.006, thick}, number + i),
-                glm::translate(dmat4(1.0), dvec3(0, plank * (i + 0.5) - span.y / 2, -thick * 1.5)));
-  }
-  const dvec2 inner = size - 2 * kFrame;
-  for (double sign : {-1.0, 1.0}) {
-    mesh.append(board({kFrame, size.y, thick}, ++number),
-                glm::translate(dmat4(1.0), dvec3(sign * (size.x - kFrame) / 2, 0, -thick / 2)));
-    mesh.append(board({inner.x, kFrame, thick}, ++number),
-                glm::translate(dmat4(1.0), dvec3(0, sign * (size.y - kFrame) / 2, -thick / 2)));
-  }
-  const double angle = std::atan2(inner.y, inner.x);
-  const double length = glm::length(inner) - 0.06;
-  mesh.append(board({length, 0.06, thick * 0.7}, ++number),
-              glm::translate(glm::rotate(dmat4(1.0), angle, dvec3(0, 0, 1)), dvec3(0, 0, -thick * 0.6)));
-  for (room::Vertex& v : mesh.vertices) v.side = dvec3(0, 0, 1);
-  return mesh;
-}
-
-MeshData crate(double side) {
-  constexpr double kThick = 0.022;
-  const double half = side / 2;
-  MeshData mesh;
-  for (int face = 0; face < 4; ++face) {
-    const dmat4 turned = glm::rotate(dmat4(1.0), face * glm::half_pi<double>(), dvec3(0, 1, 0));
-    const double width = face % 2 == 0 ? side : side - 2 * kThick;
-    mesh.append(crateSide({width, side - kThick}, kThick, 10 * face),
-                glm::translate(turned, dvec3(0, -kThick / 2, half)));
-  }
-  const dmat4 up = glm::rotate(dmat4(1.0), -glm::half_pi<double>(), dvec3(1, 0, 0));
-  mesh.append(crateSide({side, side}, kThick, 40), glm::translate(up, dvec3(0, 0, half)));
-  return mesh;
-}
 
 // The same outline with fewer polygons, for shadows.
 std::unique_ptr<room::Mesh> outlineOf(const MeshData& data) {
@@ -125,7 +78,7 @@ void Scene::addShell() {
   MeshData beams;
   for (int i = 0; i < 3; ++i) {
     beams.append(room::box({0.20, 0.24, size.z}, kCell, 1 / room::kWoodExtent, {0.3 * i, 0.17 * i}),
-                 at({-1.9 + 2.0 * i, high.y - 0.12, (low.z + high.z) / 2}));
+                 placed({-1.9 + 2.0 * i, high.y - 0.12, (low.z + high.z) / 2}));
   }
   add(wood_, std::move(beams), {});
 }
@@ -138,9 +91,9 @@ void Scene::addSkirting() {
   const double middle = (kRoomMin.z + kRoomMax.z) / 2;
   const auto skirting = [&](double length, const dvec3& position, double turn, Receiver receiver) {
     MeshData mesh;
-    mesh.append(room::box({length, kHeight, kThick}, kCell, 1 / room::kWoodExtent), at(position, turn));
+    mesh.append(room::box({length, kHeight, kThick}, kCell, 1 / room::kWoodExtent), placed(position, turn));
     mesh.append(room::box({length, 0.018, kThick * 1.5}, kCell, 1 / room::kWoodExtent),
-                at(position + dvec3(0, kHeight / 2, 0), turn));
+                placed(position + dvec3(0, kHeight / 2, 0), turn));
     add(paintedWood_, std::move(mesh), {receiver});
   };
   const double y = kHeight / 2;
@@ -152,7 +105,7 @@ void Scene::addSkirting() {
 void Scene::addCan() {
   const dvec3 stand(0.55, 0, -0.95);
   Part& can = add(can_, room::surface(156, 60, canSurface()), {Receiver::None, kBothLights, 0.85});
-  can.model = at(stand, 0.4);
+  can.model = placed(stand, 0.4);
   can.shadowMesh = outlineOf(room::surface(40, 12, canSurface()));
 
   // Leaning on the can, away from it to the front and left; its foot keeps it from sliding.
@@ -162,7 +115,7 @@ void Scene::addCan() {
   const double upper = canRadius(2 * radius * std::sin(tilt) * 0.98);
   const double distance = upper + 0.02 + radius * std::cos(tilt);
   Part& lid = add(lid_, room::surface(64, 32, lidSurface()), {Receiver::None, kBothLights, 0.65});
-  dmat4 lean = at(stand + distance * dvec3(std::cos(away), 0, -std::sin(away)), away);
+  dmat4 lean = placed(stand + distance * dvec3(std::cos(away), 0, -std::sin(away)), away);
   lean = glm::translate(lean, dvec3(0, radius * std::sin(tilt), 0));
   lid.model = glm::rotate(lean, -tilt, dvec3(0, 0, 1));
   lid.shadowMesh = outlineOf(room::surface(40, 8, lidSurface()));
@@ -176,7 +129,7 @@ void Scene::addCan() {
                                      out * (r + 0.045) - across * 0.075 + dvec3(0, 0.55, 0),
                                      out * (r + 0.045) + across * 0.075 + dvec3(0, 0.55, 0),
                                      out * (r - 0.01) + across * 0.075 + dvec3(0, 0.56, 0)};
-    handles.append(room::tube(path, 0.0085, 0.03, 10, 2), at(stand, 0.4));
+    handles.append(room::tube(path, 0.0085, 0.03, 10, 2), placed(stand, 0.4));
   }
   const std::vector<dvec3> grip = {{-0.07, 0.095, 0}, {-0.06, 0.135, 0}, {0.06, 0.135, 0}, {0.07, 0.095, 0}};
   handles.append(room::tube(grip, 0.0085, 0.03, 10, 2), lid.model);
@@ -192,21 +145,21 @@ void Scene::addCrates() {
     mesh.append(one, where);
     outline.append(room::box(dvec3(side), 1.0, 1.0), where);
   };
-  put(large, 0.80, at({-1.75, 0.40, -2.25}, 0.16));
-  put(small, 0.46, at({-1.80, 1.03, -2.28}, -0.35));
-  put(small, 0.46, at({-0.88, 0.23, -1.95}, 0.62));
+  put(large, 0.80, placed({-1.75, 0.40, -2.25}, 0.16));
+  put(small, 0.46, placed({-1.80, 1.03, -2.28}, -0.35));
+  put(small, 0.46, placed({-0.88, 0.23, -1.95}, 0.62));
   Part& crates = add(wood_, std::move(mesh), {Receiver::None, kBothLights});
   crates.shadowMesh = outlineOf(outline);
 }
 
 void Scene::addBench() {
-  const dmat4 where = at({2.42, 0, -1.05}, glm::half_pi<double>());
+  const dmat4 where = placed({2.42, 0, -1.05}, glm::half_pi<double>());
   MeshData planks;
   for (int i = 0; i < 3; ++i) {
-    planks.append(board({1.9, 0.035, 0.125}, 60 + i), where * at({0, 0.455, (i - 1) * 0.14}));
+    planks.append(board({1.9, 0.035, 0.125}, 60 + i), where * placed({0, 0.455, (i - 1) * 0.14}));
   }
   for (int i = 0; i < 2; ++i) {
-    planks.append(board({1.9, 0.12, 0.03}, 70 + i), where * at({0, 0.70 + 0.17 * i, 0.25 + 0.03 * i}));
+    planks.append(board({1.9, 0.12, 0.03}, 70 + i), where * placed({0, 0.70 + 0.17 * i, 0.25 + 0.03 * i}));
   }
   add(paintedWood_, std::move(planks), {Receiver::None, kBothLights});
   MeshData legs;
@@ -259,9 +212,9 @@ void Scene::addPoster() {
   int number = 40;
   for (double sign : {-1.0, 1.0}) {
     frame.append(board({size.x + 2 * kBar, kBar, 0.045}, ++number),
-                 at(center + dvec3(0, sign * (size.y + kBar) / 2, 0)));
+                 placed(center + dvec3(0, sign * (size.y + kBar) / 2, 0)));
     frame.append(board({kBar, size.y, 0.045}, ++number),
-                 at(center + dvec3(sign * (size.x + kBar) / 2, 0, 0)));
+                 placed(center + dvec3(sign * (size.x + kBar) / 2, 0, 0)));
   }
   add(wood_, std::move(frame), {Receiver::None, kBothLights});
 }
@@ -270,12 +223,12 @@ void Scene::addPaper() {
   MeshData balls;
   const MeshData first = paperBall(0.066, 1);
   const MeshData second = paperBall(0.054, 2);
-  balls.append(first, at({1.15, 0.055, -0.35}, 0.5));
-  balls.append(second, at({0.10, 0.045, 0.12}, 1.9));
-  balls.append(second, at({1.42, 0.045, -0.72}, 3.0));
-  balls.append(first, at({0.60, 0.765, -0.93}, 2.2));
-  balls.append(second, at({0.45, 0.775, -0.86}, 4.0));
-  balls.append(second, at({0.50, 0.765, -1.08}, 1.0));
+  balls.append(first, placed({1.15, 0.055, -0.35}, 0.5));
+  balls.append(second, placed({0.10, 0.045, 0.12}, 1.9));
+  balls.append(second, placed({1.42, 0.045, -0.72}, 3.0));
+  balls.append(first, placed({0.60, 0.765, -0.93}, 2.2));
+  balls.append(second, placed({0.45, 0.775, -0.86}, 4.0));
+  balls.append(second, placed({0.50, 0.765, -1.08}, 1.0));
   add(paper_, std::move(balls), {Receiver::None, kBothLights});
 }
 

@@ -16,11 +16,19 @@
 
 #include "light_textures.h"
 #include "room/context.h"
+#include "room/passes.h"
 #include "room/transform.h"
 #include "scene.h"
 
 namespace lighting {
 namespace {
+
+using room::combine;
+using room::loadTextureMatrix;
+using room::modulate;
+using room::setColor;
+using room::useTexCoords;
+using room::useTexture;
 
 constexpr std::array<std::string_view, 5> kStages = {"bump", "spot", "specular", "shadows", "final"};
 constexpr int kUnits = 3;
@@ -42,52 +50,6 @@ struct Terms {
 Terms termsOf(std::string_view stage) {
   if (stage == "final") return {true, true, true, true};
   return {stage == "bump", stage == "spot" || stage == "specular", stage == "specular", stage == "shadows"};
-}
-
-void useTexture(int unit, const room::Texture& texture) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glEnable(GL_TEXTURE_2D);
-  texture.bind();
-}
-
-// RGB = a * b or dot(a, b), alpha = that of the unit before.
-void combine(GLenum mode, GLenum first, GLenum second, float scale = 1) {
-  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, static_cast<GLint>(mode));
-  glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_RGB, static_cast<GLint>(first));
-  glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, static_cast<GLint>(second));
-  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_ALPHA, GL_REPLACE);
-  glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_ALPHA, GL_PREVIOUS);
-  glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, scale);
-}
-
-void modulate() {
-  glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 1);
-  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
-}
-
-// Clamped here, since not every implementation clamps the current color before it is used.
-void setColor(const glm::dvec3& rgb, double alpha = 1) {
-  const glm::vec4 color(glm::clamp(rgb, 0.0, 1.0), alpha);
-  glColor4f(color.r, color.g, color.b, color.a);
-}
-
-// Texture coordinates of a unit from the mesh's own coordinates or from its positions.
-void useTexCoords(int unit, const room::Mesh& mesh, bool positions = false) {
-  glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-  if (positions) {
-    mesh.bindPositionsAsTexCoords();
-  } else {
-    mesh.bindTexCoords();
-  }
-}
-
-void loadTextureMatrix(int unit, const glm::dmat4& m) {
-  glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-  glMatrixMode(GL_TEXTURE);
-  room::loadMatrix(m);
-  glMatrixMode(GL_MODELVIEW);
 }
 
 // What every pass starts from: depth tested but not written, no texture, no array but the positions.

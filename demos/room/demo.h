@@ -14,9 +14,17 @@ struct View {
   double time = 0;  // seconds; the picture depends on nothing else but the stage
 };
 
+// What the command line can change about single demos.
+struct Settings {
+  int particles = 5000;  // particles: how many
+  bool quads = false;    // particles: drawn as quads made by the program, instead of points
+};
+
 class Demo {
  public:
   virtual ~Demo() = default;
+  // Once, before setup(); no context is needed.
+  virtual void configure(const Settings&) {}
   // What --stage accepts; the last one is the finished picture. The names live as long as the program.
   virtual std::span<const std::string_view> stages() const = 0;
   // Makes textures and meshes. A context is current, here and whenever anything else of the demo runs.

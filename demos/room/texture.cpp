@@ -33,7 +33,14 @@ void uploadLevels(GLenum face, const Image& image, GLenum format, bool mipmaps) 
 }
 
 GLenum formatOf(const Image& image, GLenum singleChannel) {
-  return image.spec().nchannels == 1 ? singleChannel : GL_RGB;
+  switch (image.spec().nchannels) {
+    case 1:
+      return singleChannel;
+    case 2:
+      return GL_LUMINANCE_ALPHA;
+    default:
+      return GL_RGB;
+  }
 }
 
 void setSampling(GLenum target, Filter filter, GLenum wrap) {
