@@ -108,7 +108,7 @@ Fire::Particle Fire::flame(int index, int cycle, double age, double time, double
   const double birth = time - age * life;
   const double tongue = noise_.at(birth * 2.3 + std::floor(angle * 1.3) * 9.7, 6);
   const double climb = (1.15 - 0.62 * outward) * (1 + 0.45 * tongue) *
-                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.68;
+                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.60;
   const double height = climb * age * (1.25 - 0.25 * age);
   const dvec2 middle = dvec2(0.35 * noise_.at(std::floor(angle * 1.3) * 5.3, 7), 0) * kEmitterRadius;
   const double narrow = 1 - 0.80 * std::pow(age, 0.8);
@@ -118,8 +118,8 @@ Fire::Particle Fire::flame(int index, int cycle, double age, double time, double
   const double curl = random(index, cycle, kSway) * NoiseTable::kCells;
   ground += 0.09 * height * dvec2(noise_.at(curl + age * 1.6, 4), noise_.at(curl + age * 1.6, 5));
 
-  const double start = clampedRandom(index, cycle, kStartSize, 42, 88);
-  const double end = clampedRandom(index, cycle, kEndSize, 8, 20);
+  const double start = clampedRandom(index, cycle, kStartSize, 30, 66);
+  const double end = clampedRandom(index, cycle, kEndSize, 6, 16);
   const double glow = room::smoothStep(0, 0.10, age) * std::pow(1 - age, 1.15);
   const dvec3 color =
       age < 0.35 ? glm::mix(dvec3(0.085, 0.047, 0.017), dvec3(0.090, 0.034, 0.0055), age / 0.35)
@@ -139,10 +139,10 @@ Fire::Particle Fire::ember(int index, int cycle, double age, double time) const 
   const double twinkle = 0.65 + 0.35 * noise_.at(curl + time * 9, 1);
   // Most go out soon.
   const double left = std::max(1 - age * (0.8 + 1.8 * random(index, cycle, kEndSize)), 0.0);
-  const double start = clampedRandom(index, cycle, kStartSize, 5, 13);
+  const double start = clampedRandom(index, cycle, kStartSize, 6, 14);
   return {{ground.x, height, ground.y},
           dvec4(dvec3(1.0, 0.42, 0.10) * (twinkle * std::sqrt(left)), 0),
-          glm::mix(start, 3.0, age)};
+          glm::mix(start, 5.0, age)};
 }
 
 // Grows instead of shrinking, and hides a little of what is behind.
@@ -163,7 +163,7 @@ Fire::Particle Fire::smoke(int index, int cycle, double age, double time) const 
 }
 
 room::Image flameImage() {
-  constexpr int kSize = 64;
+  constexpr int kSize = 32;
   return room::generate(kSize, kSize, 2, [](double u, double v, float* out) {
     const double x = 2 * u - 1;
     const double y = 2 * v - 1;

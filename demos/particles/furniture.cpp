@@ -211,6 +211,9 @@ void Cellar::addFirewood() {
   light_.add(Block{corner + dvec3(kLength / 2, 0.34, 0.30), {kLength / 2 - 0.05, 0.11, 0.13}});
   // One has been carried to the fire.
   wooden_.append(log(kRadius * 0.9, kLength, 30), placed({0.75, kRadius * 0.9, -0.05}, 0.8) * lying());
+  const dvec3 middle =
+      dvec3(std::sin(0.8), 0, std::cos(0.8)) * (kLength / 2) + dvec3(0.75, kRadius * 0.8, -0.05);
+  light_.add(Block{middle, {kRadius * 0.7, kRadius * 0.6, kLength / 2}, 0.8});
 }
 
 void Cellar::addStool() {
@@ -222,12 +225,16 @@ void Cellar::addStool() {
   for (int i = 0; i < 3; ++i) {
     wooden_.append(room::tube({{0.10, 0.405, 0}, {0.14, 0.22, 0}, {0.185, 0.0, 0}}, 0.018, 0.02, 8, 2),
                    placed(foot, 1 + i * glm::two_pi<double>() / 3));
+    const double angle = 1 + i * glm::two_pi<double>() / 3;
+    light_.add(
+        UprightCylinder{foot + dvec3(0.165 * std::cos(angle), 0, -0.165 * std::sin(angle)), 0.012, 0.15});
   }
   light_.add(UprightCylinder{foot + dvec3(0, 0.40, 0), 0.165, 0.03});
   // A bottle beside it.
   const std::vector<dvec2> bottle = {{0.0, 0.0},    {0.036, 0.0},  {0.04, 0.02},  {0.04, 0.17},
                                      {0.016, 0.22}, {0.014, 0.29}, {0.017, 0.30}, {0.0, 0.30}};
   bottles_.append(room::lathe(bottle, 20, 28), placed(foot + dvec3(-0.28, 0, 0.10)));
+  light_.add(UprightCylinder{foot + dvec3(-0.28, 0, 0.10), 0.030, 0.17});
 }
 
 void Cellar::addShelf() {

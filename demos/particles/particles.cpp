@@ -124,7 +124,9 @@ void Particles::setup() {
   glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizeRange_.data());
   cellar_.emplace();
   fire_.emplace(kFireBase, settings_.particles);
-  flame_ = room::makeTexture(flameImage(), room::Filter::Mipmapped, GL_CLAMP_TO_EDGE);
+  // Small and soft, so that even sparks of few pixels need no mip levels, which implementations choose
+  // differently for points.
+  flame_ = room::makeTexture(flameImage(), room::Filter::Linear, GL_CLAMP_TO_EDGE);
 }
 
 void Particles::frame(const room::View& view, std::string_view stage) {
