@@ -108,7 +108,7 @@ Fire::Particle Fire::flame(int index, int cycle, double age, double time, double
   const double birth = time - age * life;
   const double tongue = noise_.at(birth * 2.3 + std::floor(angle * 1.3) * 9.7, 6);
   const double climb = (1.15 - 0.62 * outward) * (1 + 0.45 * tongue) *
-                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.60;
+                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.55;
   const double height = climb * age * (1.25 - 0.25 * age);
   const dvec2 middle = dvec2(0.35 * noise_.at(std::floor(angle * 1.3) * 5.3, 7), 0) * kEmitterRadius;
   const double narrow = 1 - 0.80 * std::pow(age, 0.8);
@@ -116,14 +116,14 @@ Fire::Particle Fire::flame(int index, int cycle, double age, double time, double
   const double loose = std::min(height * height * 1.6, height);
   ground += wind(time, height) * loose;
   const double curl = random(index, cycle, kSway) * NoiseTable::kCells;
-  ground += 0.09 * height * dvec2(noise_.at(curl + age * 1.6, 4), noise_.at(curl + age * 1.6, 5));
+  ground += 0.13 * height * dvec2(noise_.at(curl + age * 1.6, 4), noise_.at(curl + age * 1.6, 5));
 
   const double start = clampedRandom(index, cycle, kStartSize, 30, 66);
   const double end = clampedRandom(index, cycle, kEndSize, 6, 16);
   const double glow = room::smoothStep(0, 0.10, age) * std::pow(1 - age, 1.15);
   const dvec3 color =
-      age < 0.35 ? glm::mix(dvec3(0.085, 0.047, 0.017), dvec3(0.090, 0.034, 0.0055), age / 0.35)
-                 : glm::mix(dvec3(0.090, 0.034, 0.0055), dvec3(0.085, 0.014, 0.002), (age - 0.35) / 0.65);
+      age < 0.35 ? glm::mix(dvec3(0.060, 0.034, 0.0120), dvec3(0.068, 0.0240, 0.0035), age / 0.35)
+                 : glm::mix(dvec3(0.068, 0.0240, 0.0035), dvec3(0.070, 0.0115, 0.0015), (age - 0.35) / 0.65);
   return {{ground.x, height, ground.y}, dvec4(color * (glow * gain_), 0), glm::mix(start, end, age)};
 }
 

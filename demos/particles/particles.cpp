@@ -84,6 +84,33 @@ struct Quads {
   std::vector<GLushort> indices;
 };
 
+// Whether sizes from the array are attenuated, as OES_point_size_array wants it; some implementations
+// attenuate the current size instead. Draws a point of 16 pixels, less half, into the corner of the surface.
+bool attenuatesArray() {
+  constexpr GLsizei kSide = 16;
+  constexpr std::array<GLfloat, 2> kMiddle = {0, 0};
+  constexpr GLfloat kSize = kSide;
+  constexpr std::array<GLfloat, 3> kHalf = {4, 0, 0};
+  resetState();
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
+  glViewport(0, 0, kSide, kSide);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, kHalf.data());
+  glEnableClientState(GL_POINT_SIZE_ARRAY_OES);
+  glPointSizePointerOES(GL_FLOAT, 0, &kSize);
+  glVertexPointer(2, GL_FLOAT, 0, kMiddle.data());
+  setColor(glm::dvec3(1));
+  glDrawArrays(GL_POINTS, 0, 1);
+  glDisableClientState(GL_POINT_SIZE_ARRAY_OES);
+  std::array<std::array<GLubyte, 4>, kSide> row{};
+  glReadPixels(0, kSide / 2, kSide, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
+  return row[6][0] > 127 && row[2][0] < 128;
+}
+
 class Particles final : public room::Demo {
  public:
   std::span<const std::string_view> stages() const override { return kStages; }
@@ -107,6 +134,7 @@ class Particles final : public room::Demo {
   std::optional<Fire> fire_;
   room::Texture flame_;
   std::array<GLfloat, 2> sizeRange_{1, 1};
+  bool attenuatesArray_ = true;
   glm::dmat4 camera_{1.0};
   ParticleArrays particles_;
   Quads quads_;
@@ -122,6 +150,7 @@ void Particles::setup() {
     }
   }
   glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, sizeRange_.data());
+  if (!settings_.quads) attenuatesArray_ = attenuatesArray();
   cellar_.emplace();
   fire_.emplace(kFireBase, settings_.particles);
   // Small and soft, so that even sparks of few pixels need no mip levels, which implementations choose
@@ -239,7 +268,14 @@ void Particles::drawHalo(const Flicker& flicker) {
 }
 
 void Particles::drawPoints(const Attenuation& attenuation) {
-  const glm::vec3 coefficients(attenuation.a, attenuation.b, attenuation.c);
+  glm::vec3 coefficients(attenuation.a, attenuation.b, attenuation.c);
+  if (!attenuatesArray_) {
+    for (std::size_t i = 0; i < particles_.sizes.size(); ++i) {
+      const glm::dvec3 eye(camera_ * glm::dvec4(particles_.positions[i], 1.0));
+      particles_.sizes[i] = static_cast<float>(particles_.sizes[i] * attenuation.at(glm::length(eye)));
+    }
+    coefficients = {1, 0, 0};
+  }
   glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, glm::value_ptr(coefficients));
   glPointParameterf(GL_POINT_SIZE_MIN, sizeRange_[0]);
   glPointParameterf(GL_POINT_SIZE_MAX, sizeRange_[1]);
