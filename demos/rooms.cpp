@@ -14,6 +14,7 @@
 
 #include "lighting/lighting.h"
 #include "particles/particles.h"
+#include "postprocessing/postprocessing.h"
 #include "room/context.h"
 #include "room/demo.h"
 #include "room/picture.h"
@@ -27,6 +28,8 @@ const std::vector<room::DemoEntry>& demos() {
        lighting::makeLighting},
       {"particles", "brazier in a cellar: a fire of point sprites, and lightmaps that flicker with it",
        particles::makeParticles},
+      {"postprocessing", "chapel whose bright windows bloom around what stands before them",
+       postprocessing::makePostprocessing},
   };
   return entries;
 }
@@ -214,7 +217,14 @@ int run(int argc, char** argv) {
     list();
     return 0;
   }
-  for (const room::DemoEntry* entry : chosenDemos(options.demo)) render(*entry, options);
+  for (const room::DemoEntry* entry : chosenDemos(options.demo)) {
+    try {
+      render(*entry, options);
+    } catch (const room::MissingExtension& missing) {
+      if (options.demo != "all") throw;
+      fmt::print(stderr, "rooms: {}: left out\n", missing.what());
+    }
+  }
   return 0;
 }
 

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdlib>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -116,6 +115,12 @@ void Context::close() {
 
 bool hasExtension(std::string_view name) {
   return listed(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), name);
+}
+
+void requireExtension(std::string_view name, std::string_view demo) {
+  if (!hasExtension(name)) {
+    throw MissingExtension(fmt::format("{} needs {}, which this implementation does not have", demo, name));
+  }
 }
 
 void checkErrors(std::string_view where) {

@@ -3,6 +3,7 @@
 
 #include <EGL/egl.h>
 
+#include <stdexcept>
 #include <string_view>
 
 namespace room {
@@ -36,6 +37,14 @@ class Context {
 
 // Whether the current context lists the extension.
 bool hasExtension(std::string_view name);
+
+// The implementation is too old or too small for a demo: nothing is wrong with either.
+struct MissingExtension : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Throws MissingExtension, naming the demo, unless the current context lists the extension.
+void requireExtension(std::string_view name, std::string_view demo);
 
 // Throws std::runtime_error that names every GL error since the last call; `where` tells what was running.
 void checkErrors(std::string_view where);

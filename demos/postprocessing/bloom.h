@@ -1,0 +1,40 @@
+// The glare of a mask: reduced four times, and the reductions added up with weights.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "room/framebuffer.h"
+
+namespace postprocessing {
+
+inline constexpr int kMaskSize = 256;
+
+struct Reduction {
+  int size;       // pixels
+  double weight;  // in the glare; the weights add up to 1
+};
+inline constexpr std::array<Reduction, 4> kReductions = {{{128, 0.10}, {64, 0.20}, {32, 0.32}, {16, 0.38}}};
+
+// Changes what is bound and enabled, both matrices and the viewport, and leaves the context's surface bound.
+class Bloom {
+ public:
+  explicit Bloom(const room::FramebufferFunctions& gl);
+
+  // drawMask draws white and black into a cleared (black) target with depth.
+  void render(const std::function<void()>& drawMask);
+
+  const room::RenderTarget& mask() const { return mask_; }
+  const room::RenderTarget& reduction(std::size_t i) const { return reductions_.at(i); }
+  const room::RenderTarget& glare() const { return glare_; }
+
+ private:
+  room::RenderTarget mask_;
+  std::array<room::RenderTarget, kReductions.size()> reductions_;
+  room::RenderTarget glare_;
+};
+
+// A quad over the whole viewport with the target's picture, times the current color.
+void drawFullScreen(const room::RenderTarget& picture);
+
+}  // namespace postprocessing
