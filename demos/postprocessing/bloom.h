@@ -12,9 +12,9 @@ inline constexpr int kMaskSize = 256;
 
 struct Reduction {
   int size;       // pixels
-  double weight;  // in the glare; the weights add up to 1
+  double weight;  // in the glare
 };
-inline constexpr std::array<Reduction, 4> kReductions = {{{128, 0.10}, {64, 0.20}, {32, 0.32}, {16, 0.38}}};
+inline constexpr std::array<Reduction, 4> kReductions = {{{128, 0.18}, {64, 0.30}, {32, 0.46}, {16, 0.60}}};
 
 // Changes what is bound and enabled, both matrices and the viewport, and leaves the context's surface bound.
 class Bloom {

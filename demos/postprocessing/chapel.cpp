@@ -23,7 +23,7 @@ constexpr double kCell = 0.22;         // tessellation of the walls, metres
 constexpr double kGlassRecess = 0.34;  // of the glass behind the face of the wall
 constexpr double kSplay = 0.16;        // by which openings are wider than their glass
 constexpr int kSunMapSize = 512;
-constexpr dvec3 kToSun(-0.16, 0.62, -0.86);
+constexpr dvec3 kToSun(-0.07, 0.60, -0.80);
 
 constexpr std::array<Lancet, 3> kLancets = {
     {{-1.62, 0.84, 2.0, 3.25}, {0.0, 1.30, 1.75, 3.95}, {1.62, 0.84, 2.0, 3.25}}};

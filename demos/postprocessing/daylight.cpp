@@ -14,9 +14,9 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr double kGamma = 2.2;
-constexpr dvec3 kAmbient(0.020, 0.025, 0.040);
-constexpr double kWindowLight = 0.55;
-constexpr double kSunLight = 3.2;
+constexpr dvec3 kAmbient(0.050, 0.055, 0.078);
+constexpr double kWindowLight = 1.5;
+constexpr double kSunLight = 5.5;
 constexpr double kSunRadius = 0.011;  // radians: twice the real one, for the panes are not clear
 constexpr int kSunSamples = 12;
 constexpr int kOpenSamples = 24;
@@ -138,7 +138,7 @@ dvec3 Daylight::diffuse(dvec3 point, dvec3 normal) const {
   // What the floor throws back of the sun; it lies about this place.
   const dvec3 way = dvec3(0, 0, -2.2) - start;
   const double square = glm::dot(way, way) + 0.8;
-  light += dvec3(0.34, 0.25, 0.17) * open * std::max(0.15 + glm::dot(normal, way) / std::sqrt(square), 0.0) *
+  light += dvec3(0.80, 0.56, 0.36) * open * std::max(0.15 + glm::dot(normal, way) / std::sqrt(square), 0.0) *
            std::max(-way.y, 0.05) / (square * std::sqrt(square)) * 0.9;
   return light;
 }

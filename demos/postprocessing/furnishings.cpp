@@ -78,7 +78,7 @@ void Chapel::addColumns() {
   for (double z : kColumnZ) {
     for (double x : {-kColumnX, kColumnX}) {
       mesh.append(room::lathe(shaft, 28, 60, {1, 1.6}), at({x, 0, z}));
-      blocks_.push_back({{x - 0.16, 0.2, z - 0.16}, {x + 0.16, 4.0, z + 0.16}});
+      blocks_.push_back({{x - 0.12, 0.2, z - 0.12}, {x + 0.12, 4.0, z + 0.12}});
       addBlock(mesh, {x, 0.11, z}, {0.60, 0.22, 0.60});
       addBlock(mesh, {x, 4.08, z}, {0.60, 0.12, 0.60});
     }
@@ -103,11 +103,11 @@ void Chapel::addRoodBeam() {
 }
 
 void Chapel::addPews() {
-  constexpr double kFrom = 0.62;
-  constexpr double kTo = 1.72;
+  constexpr double kFrom = 0.78;
+  constexpr double kTo = 1.80;
   MeshData mesh;
   int number = 300;
-  for (int row = 0; row < 5; ++row) {
+  for (int row = 0; row < 4; ++row) {
     const double z = -2.35 + 1.0 * row;
     for (double side : {-1.0, 1.0}) {
       const double x = side * (kFrom + kTo) / 2;
@@ -129,7 +129,6 @@ void Chapel::addPews() {
   MeshData books;
   addBlock(books, {0.95, 0.46, -0.40}, {0.13, 0.035, 0.19});
   addBlock(books, {-1.20, 0.46, 0.62}, {0.13, 0.035, 0.19});
-  addBlock(books, {1.35, 0.46, 1.60}, {0.13, 0.035, 0.19});
   add(velvet_, std::move(books));
 }
 

@@ -94,9 +94,9 @@ void Postprocessing::frame(const room::View& view, std::string_view stage) {
 // The camera goes to and fro across the nave, so that columns, lamp and cross pass before the windows.
 void Postprocessing::placeCamera(const room::View& view) {
   const double turn = glm::two_pi<double>() * view.time;
-  const glm::dvec3 eye(2.55 * std::sin(turn / 48.0 - 0.35), 1.62 + 0.12 * std::sin(turn / 19.0),
+  const glm::dvec3 eye(2.55 * std::sin(turn / 48.0 - 0.35), 1.78 + 0.12 * std::sin(turn / 19.0),
                        4.55 + 0.35 * std::cos(turn / 24.0));
-  const glm::dvec3 target(0.16 * eye.x, 2.25, -6.0);
+  const glm::dvec3 target(0.16 * eye.x, 2.05, -6.0);
   camera_ = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
   projection_ =
       glm::perspective(glm::radians(46.0), static_cast<double>(view.width) / view.height, 0.2, 20.0);

@@ -61,7 +61,7 @@ Pane diamonds(double x, double y) {
   const double a = (x + y * 0.62) / kPane;
   const double b = (x - y * 0.62) / kPane;
   const double identity = hash(indexOf(a), indexOf(b), 612);
-  dvec3 color = glm::mix(dvec3(0.94, 0.88, 0.66), dvec3(0.80, 0.92, 0.84), identity);
+  dvec3 color = glm::mix(dvec3(1.06, 0.98, 0.74), dvec3(0.90, 1.02, 0.94), identity);
   if (hash(indexOf(a), indexOf(b), 613) > 0.86) color = {0.97, 0.80, 0.42};
   return {color, std::min(toLine(a, 1.0), toLine(b, 1.0)) * kPane * 0.85, identity};
 }
