@@ -14,7 +14,7 @@ struct Reduction {
   int size;       // pixels
   double weight;  // in the glare
 };
-inline constexpr std::array<Reduction, 4> kReductions = {{{128, 0.18}, {64, 0.30}, {32, 0.46}, {16, 0.60}}};
+inline constexpr std::array<Reduction, 4> kReductions = {{{128, 0.12}, {64, 0.24}, {32, 0.44}, {16, 0.95}}};
 
 // Changes what is bound and enabled, both matrices and the viewport, and leaves the context's surface bound.
 class Bloom {

@@ -25,6 +25,11 @@ constexpr double kSplay = 0.16;        // by which openings are wider than their
 constexpr int kSunMapSize = 512;
 constexpr dvec3 kToSun(-0.07, 0.60, -0.80);
 
+constexpr double kShaftMargin = 1.4;  // of a shaft's slices, times the size of the glass
+constexpr double kShaftLength = 7.5;  // metres
+constexpr int kShaftSlices = 60;
+constexpr double kDust = 0.030;  // of the light, what a slice of it scatters
+
 constexpr std::array<Lancet, 3> kLancets = {
     {{-1.62, 0.84, 2.0, 3.25}, {0.0, 1.30, 1.75, 3.95}, {1.62, 0.84, 2.0, 3.25}}};
 
@@ -84,9 +89,23 @@ room::Texel cloth(double u, double v, dvec3 color) {
   return t;
 }
 
-// From its foot to its tip.
-glm::vec3 flameColor(double along) {
-  return glm::mix(glm::vec3(1.0F, 0.95F, 0.75F), glm::vec3(1.0F, 0.62F, 0.22F), static_cast<float>(along));
+// What a window throws into dusty air: its colors without its cames, smooth at the edges, with a margin.
+room::Image softened(const GlazedLancet& window) {
+  const Lancet& lancet = window.lancet;
+  const double height = lancet.top() - lancet.sill;
+  return room::generate(32, 64, 3, [&](double u, double v, float* out) {
+    constexpr int kSamples = 8;
+    dvec3 sum(0);
+    for (int k = 0; k < kSamples * kSamples; ++k) {
+      const dvec2 offset = (dvec2(k % kSamples, k / kSamples) + 0.5) / double{kSamples} - 0.5;
+      const dvec2 p =
+          ((dvec2(u, v) - 0.5) * kShaftMargin + 0.5) * dvec2(lancet.width, height) + offset * 0.22;
+      if (lancet.inset(p.x - lancet.width / 2, p.y + lancet.sill) > 0) {
+        sum += stainedGlass(lancet, p.x / lancet.width, p.y / height);
+      }
+    }
+    for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(sum[i] / (kSamples * kSamples));
+  });
 }
 
 }  // namespace
@@ -100,6 +119,7 @@ Chapel::Chapel() {
   addPews();
   addAltar();
   addLamp();
+  addShafts();
   light();
 }
 
@@ -122,6 +142,7 @@ void Chapel::makeMaterials() {
                           for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(color[i]);
                         })};
     glass_.push_back(room::makeTexture(window.glass, room::Filter::Mipmapped, GL_CLAMP_TO_EDGE));
+    softGlass_.push_back(room::makeTexture(softened(window), room::Filter::Linear, GL_CLAMP_TO_EDGE));
     windows_.push_back(std::move(window));
   }
 }
@@ -200,14 +221,35 @@ void Chapel::addWindow(const GlazedLancet& window, MeshData& stone, MeshData& fr
   path.emplace_back(outline(opening, 4, 1.0), kRoomMin.z);
   frame.append(room::tube(path, 0.055, 0.02, 10, 1 / kAshlarExtent));
 
-  const auto index = static_cast<std::size_t>(&window - windows_.data());
-  add(glass_[index],
-      room::surface(1, 1,
-                    [&](double u, double v) {
-                      return dvec3(glass.center + (u - 0.5) * glass.width,
-                                   glm::mix(glass.sill, glass.top(), v), kRoomMin.z - kGlassRecess);
-                    }),
-      Surface::Glass);
+  Part& pane =
+      add(glass_[static_cast<std::size_t>(&window - windows_.data())],
+          room::surface(1, 1,
+                        [&](double u, double v) {
+                          return dvec3(glass.center + (u - 0.5) * glass.width,
+                                       glm::mix(glass.sill, glass.top(), v), kRoomMin.z - kGlassRecess);
+                        }),
+          Surface::Glass);
+  pane.colors.resize(pane.data.vertices.size(), glm::vec3(1));
+}
+
+// The dusty air that the sun shines through: slices of it, parallel to the windows.
+void Chapel::addShafts() {
+  for (const GlazedLancet& window : windows_) {
+    const Lancet& glass = window.lancet;
+    const dvec2 size = kShaftMargin * dvec2(glass.width, glass.top() - glass.sill);
+    Part part;
+    for (int i = 0; i < kShaftSlices; ++i) {
+      const double along = (i + 0.5) / kShaftSlices;
+      const dvec3 center = dvec3(glass.center, (glass.sill + glass.top()) / 2, kRoomMin.z - kGlassRecess) -
+                           glm::normalize(kToSun) * (kShaftLength * along);
+      part.data.append(room::surface(
+          1, 1, [&](double u, double v) { return center + dvec3((dvec2(u, v) - 0.5) * size, 0); }));
+      part.colors.resize(part.data.vertices.size(), glm::vec3(static_cast<float>(kDust * (1 - along))));
+    }
+    part.surface = Surface::Dust;
+    part.texture = &softGlass_[static_cast<std::size_t>(&window - windows_.data())];
+    parts_.push_back(std::move(part));
+  }
 }
 
 glm::dmat4 Chapel::floorProjection() {
@@ -227,30 +269,27 @@ glm::dmat4 Chapel::lampAt(double time) {
   return glm::rotate(m, 0.5 * std::sin(turn / 31.0), dvec3(0, 1, 0));
 }
 
+void Chapel::lightPart(Part& part, const Daylight& daylight) {
+  const std::vector<room::Vertex>& vertices = part.data.vertices;
+  const glm::dmat4 rest = part.swings ? lampAt(0) : glm::dmat4(1.0);
+  part.colors.resize(vertices.size());
+  OIIO::parallel_for_chunked(
+      0, static_cast<std::int64_t>(vertices.size()), 256, [&](std::int64_t begin, std::int64_t end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+          const dvec3 point(rest * glm::dvec4(vertices[i].position, 1.0));
+          const dvec3 normal = glm::dmat3(rest) * vertices[i].normal;
+          dvec3 sum = daylight.diffuse(point, normal);
+          if (part.surface == Surface::Solid) sum += daylight.sun(point, normal);
+          part.colors[i] = displayed(sum, kLightScale);
+        }
+      });
+}
+
 void Chapel::light() {
   const Daylight daylight(windows_, kRoomMin.z - kGlassRecess, kToSun, blocks_);
   for (Part& part : parts_) {
-    const std::vector<room::Vertex>& vertices = part.data.vertices;
-    std::vector<glm::vec3> colors(vertices.size(), glm::vec3(1));
-    const glm::dmat4 rest = part.swings ? lampAt(0) : glm::dmat4(1.0);
-    const auto colorOf = [&](const room::Vertex& v) {
-      const dvec3 point(rest * glm::dvec4(v.position, 1.0));
-      const dvec3 normal = glm::dmat3(rest) * v.normal;
-      dvec3 sum = daylight.diffuse(point, normal);
-      if (part.surface == Surface::Solid) sum += daylight.sun(point, normal);
-      return displayed(sum, kLightScale);
-    };
-    OIIO::parallel_for_chunked(
-        0, static_cast<std::int64_t>(vertices.size()), 256, [&](std::int64_t begin, std::int64_t end) {
-          for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-            if (part.surface == Surface::Flame) {
-              colors[i] = flameColor(vertices[i].uv.y);
-            } else if (part.surface != Surface::Glass) {
-              colors[i] = colorOf(vertices[i]);
-            }
-          }
-        });
-    part.mesh = std::make_unique<room::Mesh>(part.data, colors);
+    if (part.colors.empty()) lightPart(part, daylight);
+    part.mesh = std::make_unique<room::Mesh>(part.data, part.colors);
   }
   const dvec3 size = kRoomMax - kRoomMin;
   const room::Image sun = room::generate(kSunMapSize, kSunMapSize, 3, [&](double u, double v, float* out) {

@@ -18,13 +18,15 @@ enum class Surface {
   Solid,  // textured, lit at its vertices
   Floor,  // the same, and the sun from a texture
   Glass,  // textured, shines by itself
-  Flame   // shines by itself in its vertex colors
+  Flame,  // shines by itself in its vertex colors
+  Dust    // textured, adds to what is behind it, fades by its vertex colors
 };
 
 struct Part {
   Surface surface = Surface::Solid;
   const room::Texture* texture = nullptr;  // none for flames
   room::MeshData data;
+  std::vector<glm::vec3> colors;  // of the vertices; worked out last for what does not shine by itself
   std::unique_ptr<room::Mesh> mesh;
   bool swings = false;
 };
@@ -46,6 +48,7 @@ class Chapel {
   void addShell();
   void addWindow(const GlazedLancet& window, room::MeshData& stone, room::MeshData& frame);
   void addGable(room::MeshData& stone);
+  void addShafts();
   void addRoof();
   void addColumns();
   void addRoodBeam();
@@ -58,6 +61,7 @@ class Chapel {
   // A box that also stands in the way of the daylight.
   void addBlock(room::MeshData& mesh, glm::dvec3 center, glm::dvec3 size, int number = 0);
   void light();
+  static void lightPart(Part& part, const Daylight& daylight);
 
   std::vector<GlazedLancet> windows_;
   std::vector<Block> blocks_;
@@ -67,6 +71,7 @@ class Chapel {
   room::MeshData swingingWax_;
   room::MeshData swingingFlames_;
   std::vector<room::Texture> glass_;
+  std::vector<room::Texture> softGlass_;
   room::Texture ashlar_, flagstones_, wood_, darkWood_, brass_, iron_, linen_, velvet_, sunOnFloor_;
 };
 

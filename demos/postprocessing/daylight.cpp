@@ -125,7 +125,7 @@ dvec3 Daylight::throughGlass(const dvec3& point, const dvec3& direction) const {
 dvec3 Daylight::diffuse(dvec3 point, dvec3 normal) const {
   const dvec3 start = point + normal * kStart;
   const double open = openness(start, normal);
-  dvec3 light = kAmbient * (0.8 + 0.2 * normal.y) * open * open;
+  dvec3 light = kAmbient * (0.8 + 0.2 * normal.y) * open;
   for (const Patch& patch : patches_) {
     const dvec3 way = patch.center - start;
     const double square = glm::dot(way, way);

@@ -204,6 +204,11 @@ void Chapel::addLamp() {
 Part& Chapel::addFlames(MeshData flames) {
   Part& part = parts_.emplace_back();
   part.surface = Surface::Flame;
+  for (const room::Vertex& v : flames.vertices) {
+    const glm::vec3 foot(1.0F, 0.95F, 0.75F);
+    const glm::vec3 tip(1.0F, 0.62F, 0.22F);
+    part.colors.push_back(glm::mix(foot, tip, static_cast<float>(v.uv.y)));
+  }
   part.data = std::move(flames);
   return part;
 }

@@ -41,6 +41,17 @@ void combine(GLenum op, float scale) {
   glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, scale);
 }
 
+bool shines(const Part& part) {
+  return part.surface == Surface::Glass || part.surface == Surface::Flame || part.surface == Surface::Dust;
+}
+
+// From here on what is drawn is added to what lies behind it. The dust comes last.
+void addLight() {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glDepthMask(GL_FALSE);
+}
+
 // Of the active texture unit.
 void loadTextureMatrix(const glm::dmat4& m) {
   glMatrixMode(GL_TEXTURE);
@@ -109,6 +120,7 @@ void Postprocessing::beginScene() const {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glEnable(GL_CULL_FACE);
+  glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
   glEnableClientState(GL_VERTEX_ARRAY);
 }
@@ -133,9 +145,10 @@ void Postprocessing::drawScene() const {
     enableTexture(unit, part.texture != nullptr);
     if (part.texture != nullptr) {
       part.texture->bind();
-      combine(GL_MODULATE, part.surface == Surface::Glass ? 1 : static_cast<float>(kLightScale));
+      combine(GL_MODULATE, shines(part) ? 1 : static_cast<float>(kLightScale));
       part.mesh->bindTexCoords();
     }
+    if (part.surface == Surface::Dust) addLight();
     part.mesh->bindPositions();
     part.mesh->bindColors();
     part.mesh->draw();
@@ -144,6 +157,8 @@ void Postprocessing::drawScene() const {
       loadTextureMatrix(glm::dmat4(1.0));
     }
   }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
   glDisableClientState(GL_COLOR_ARRAY);
   enableTexture(1, false);
   enableTexture(0, false);
@@ -155,8 +170,8 @@ void Postprocessing::drawMask() const {
   enableTexture(0, false);
   glDisableClientState(GL_COLOR_ARRAY);
   for (const Part& part : chapel_->parts()) {
-    const bool lit = part.surface == Surface::Glass || part.surface == Surface::Flame;
-    const GLfloat white = lit ? 1 : 0;
+    if (part.surface == Surface::Dust) continue;
+    const GLfloat white = shines(part) ? 1 : 0;
     glColor4f(white, white, white, 1);
     place(part);
     part.mesh->bindPositions();
