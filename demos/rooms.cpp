@@ -176,7 +176,7 @@ void render(const room::DemoEntry& entry, const Options& options) {
 
 void list() {
   for (const room::DemoEntry& entry : demos()) {
-    fmt::print("{:<12} {}\n{:<12} stages: {}\n", entry.name, entry.summary, "",
+    fmt::print("{:<14} {}\n{:<14} stages: {}\n", entry.name, entry.summary, "",
                fmt::join(entry.make()->stages(), ", "));
   }
 }
