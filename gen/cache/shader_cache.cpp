@@ -192,6 +192,11 @@ void ShaderCache::run() {
 // Renames the file, unless another process did so already.
 void ShaderCache::moveAside() {
   ++damaged_;
+  salvaged_.clear();
+  if (writer_.isOpen())
+    writer_.visit([this](int64_t, Row& row, const std::string& why) {
+      if (why.empty()) salvaged_.push_back(std::move(row));
+    });
   writer_.close();
   {
     const std::lock_guard lock(readMutex_);
@@ -240,6 +245,7 @@ bool ShaderCache::writeOnce(const Work& work) {
   if (!writer_.begin()) return false;
   const int64_t now = std::time(nullptr);
   bool good = true;
+  for (const Row& row : salvaged_) good = good && writer_.put(row);
   for (const Row& row : work.rows) good = good && writer_.put(row);
   for (int64_t id : work.used) good = good && writer_.touch(id, now);
   good = good && (work.rows.empty() || writer_.shrink(limit_) >= 0);
@@ -253,6 +259,7 @@ void ShaderCache::write(const Work& work) {
       if (!open()) return writer_.close();
     }
     if (writeOnce(work)) {
+      salvaged_.clear();
       written_ += work.rows.size();
       return;
     }

@@ -82,7 +82,8 @@ class ShaderCache {
 
   // The thread's own.
   Store writer_;
-  uint64_t inode_ = 0;  // of the file that is open
+  uint64_t inode_ = 0;         // of the file that is open
+  std::vector<Row> salvaged_;  // good rows of a damaged one
   bool warned_ = false;
 
   std::thread thread_;

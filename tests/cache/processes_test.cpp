@@ -1,0 +1,90 @@
+// Many processes, some of which end as they should not.
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "tests/cache/rows.h"
+
+namespace anteroom::test {
+namespace {
+
+TEST(Processes, EightWriteAtOnce) {
+  const Folder folder;
+  constexpr int kEach = 40;
+  std::vector<int> children;
+  for (int p = 0; p < 8; ++p)
+    children.push_back(fork([&] {
+      gen::ShaderCache cache(folder.file(), kNoLimit);
+      for (int i = 0; i < kEach; ++i) {
+        // Half of them are everyone's.
+        const int row = i % 2 ? i : p * 1000 + i;
+        if (findRow(cache, row).empty()) storeRow(cache, row);
+        if (i % 10 == 9) cache.flush();
+      }
+      cache.close();
+      return cache.counts().damaged == 0 ? 0 : 1;
+    }));
+  for (int child : children) EXPECT_EQ(join(child), 0);
+  gen::ShaderCache cache(folder.file(), kNoLimit);
+  for (int p = 0; p < 8; ++p)
+    for (int i = 0; i < kEach; ++i) {
+      const int row = i % 2 ? i : p * 1000 + i;
+      EXPECT_EQ(findRow(cache, row), spirvOf(row)) << row;
+    }
+}
+
+TEST(Processes, AKillLosesNoCommittedRow) {
+  const Folder folder;
+  std::mt19937 random(1);
+  int next = 0;
+  for (int round = 0; round < 40; ++round) {
+    int pipe[2];
+    ASSERT_EQ(::pipe(pipe), 0);
+    const int child = fork([&] {
+      gen::ShaderCache cache(folder.file(), kNoLimit);
+      for (int i = next;; ++i) {
+        storeRow(cache, i, 500);
+        cache.flush();
+        if (cache.counts().written == 0) continue;
+        if (write(pipe[1], &i, sizeof i) != sizeof i) return 1;
+      }
+    });
+    usleep(1000 + random() % 40000);
+    kill(child, SIGKILL);
+    EXPECT_EQ(join(child), -SIGKILL);
+    close(pipe[1]);
+    for (int i; read(pipe[0], &i, sizeof i) == sizeof i;) next = i + 1;
+    close(pipe[0]);
+    gen::ShaderCache cache(folder.file(), kNoLimit);
+    for (int i = 0; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500)) << "round " << round;
+    EXPECT_EQ(cache.counts().damaged, 0u);
+    ++next;  // it may or may not be there
+    storeRow(cache, next - 1, 500);
+  }
+  EXPECT_GT(next, 40);
+}
+
+TEST(Processes, AForkedChildLeavesTheCacheAlone) {
+  const Folder folder;
+  auto* cache = new gen::ShaderCache(folder.file(), kNoLimit);
+  storeRow(*cache, 1);
+  cache->flush();
+  const int child = fork([&] {
+    storeRow(*cache, 2);
+    cache->flush();
+    cache->close();
+    return findRow(*cache, 1).empty() ? 0 : 1;
+  });
+  EXPECT_EQ(join(child), 0);
+  EXPECT_EQ(findRow(*cache, 1), spirvOf(1));
+  EXPECT_TRUE(findRow(*cache, 2).empty());
+  storeRow(*cache, 2);
+  delete cache;
+  gen::ShaderCache again(folder.file(), kNoLimit);
+  EXPECT_EQ(findRow(again, 2), spirvOf(2));
+}
+
+}  // namespace
+}  // namespace anteroom::test

@@ -1,5 +1,7 @@
 // The cache by itself: what goes in comes out, and quickly.
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "gen/cache/generator_version.h"
 #include "tests/cache/rows.h"
@@ -54,6 +56,62 @@ TEST(Store, WhatIsStoredIsFoundByTheNextCache) {
     }
   }));
   EXPECT_EQ(rows, 3);
+}
+
+TEST(Store, TenThousandRowsAreOpenedAndFoundQuickly) {
+  const Folder folder;
+  constexpr int kRows = 10000;
+  {
+    gen::Store store;
+    ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Create), gen::Opened::Ok);
+    ASSERT_TRUE(store.begin());
+    for (int i = 0; i < kRows; ++i) {
+      const std::string key = keyText(i);
+      ASSERT_TRUE(store.put(gen::makeRow(gen::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, 700), 1)));
+    }
+    ASSERT_TRUE(store.commit());
+  }
+  std::vector<double> opening, finding;
+  for (int i = 0; i < 9; ++i) {
+    gen::Store store;
+    const auto start = Clock::now();
+    ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Write), gen::Opened::Ok);
+    ASSERT_TRUE(store.holdsCurrent());
+    opening.push_back(microseconds(Clock::now() - start));
+  }
+  gen::ShaderCache cache(folder.file(), kNoLimit);
+  ASSERT_TRUE(cache.filled());
+  for (int i = 0; i < 1000; ++i) {
+    const int row = i * 7919 % kRows;
+    const auto start = Clock::now();
+    const auto spirv = findRow(cache, row);
+    finding.push_back(microseconds(Clock::now() - start));
+    ASSERT_EQ(spirv, spirvOf(row, 700));
+  }
+  std::sort(opening.begin(), opening.end());
+  std::sort(finding.begin(), finding.end());
+  RecordProperty("opening_us", static_cast<int>(opening[4]));
+  RecordProperty("look_up_us", static_cast<int>(finding[500]));
+  std::printf("opening %.0f us, a look-up %.1f us (medians)\n", opening[4], finding[500]);
+  EXPECT_LT(opening[4], 10000);
+  EXPECT_LT(finding[500], 50);
+}
+
+TEST(Store, TheLimitDropsWhatWasUnusedForLongest) {
+  const Folder folder;
+  constexpr uint64_t kLimit = 256 << 10;
+  gen::ShaderCache cache(folder.file(), kLimit);
+  for (int i = 0; i < 300; ++i) {
+    storeRow(cache, i, 1000);
+    if (i % 50 == 49) cache.flush();
+  }
+  cache.close();
+  gen::Store store;
+  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  const int64_t rows = store.database().ask("SELECT count(*) FROM shader", 0);
+  EXPECT_GT(rows, 20);
+  EXPECT_LT(rows, 60);
+  EXPECT_LT(std::filesystem::file_size(folder.file()), 2 * kLimit);
 }
 
 }  // namespace
