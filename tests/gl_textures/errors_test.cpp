@@ -261,7 +261,7 @@ TEST_F(ErrorsTest, TexParameter) {
   };
   run({
       {"target", GL_INVALID_ENUM, set(kFace, GL_TEXTURE_WRAP_S, GL_REPEAT)},
-      {"name", GL_INVALID_ENUM, set(GL_TEXTURE_2D, 0x813D, 1)},
+      {"name", GL_INVALID_ENUM, set(GL_TEXTURE_2D, 0x813C, 1)},
       {"min filter", GL_INVALID_ENUM, set(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_REPEAT)},
       {"min filter", GL_INVALID_ENUM, set(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, 0x2704)},
       {"mag filter", GL_INVALID_ENUM, set(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR_MIPMAP_LINEAR)},
