@@ -1,4 +1,3 @@
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,7 +19,8 @@ int join(int child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-Output runProgram(const std::string& program, const std::vector<std::string>& environment) {
+Output runProgram(const std::string& program, const std::vector<std::string>& environment,
+                  std::vector<std::string> arguments) {
   const Folder folder;
   const std::string out = folder.path / "out", err = folder.path / "err";
   const int child = fork([&] {
@@ -32,7 +32,11 @@ Output runProgram(const std::string& program, const std::vector<std::string>& en
         setenv(entry.substr(0, equals).c_str(), entry.c_str() + equals + 1, 1);
     }
     if (!freopen(out.c_str(), "w", stdout) || !freopen(err.c_str(), "w", stderr)) return 126;
-    execl(program.c_str(), program.c_str(), nullptr);
+    arguments.insert(arguments.begin(), program);
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    execv(program.c_str(), pointers.data());
     return 127;
   });
   const int status = join(child);

@@ -44,6 +44,7 @@ struct Output {
   std::string out, err;
 };
 // A program with more of an environment; NAME alone takes a variable away.
-Output runProgram(const std::string& program, const std::vector<std::string>& environment);
+Output runProgram(const std::string& program, const std::vector<std::string>& environment,
+                  std::vector<std::string> arguments = {});
 
 }  // namespace anteroom::test
