@@ -46,7 +46,6 @@ room::Texel flagstones(double u, double v) {
   return t;
 }
 
-// A stone arch would be grander; this is what most cellars have.
 room::Texel sootyPlaster(double u, double v) {
   room::Texel t = room::plaster(u, v);
   t.color *= dvec3(0.62, 0.58, 0.54);

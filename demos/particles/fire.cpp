@@ -107,11 +107,11 @@ Fire::Particle Fire::flame(int index, int cycle, double age, double time, double
   const dvec2 direction(std::cos(angle), std::sin(angle));
   const double birth = time - age * life;
   const double tongue = noise_.at(birth * 2.3 + std::floor(angle * 1.3) * 9.7, 6);
-  const double climb = (1.15 - 0.62 * outward) * (1 + 0.45 * tongue) *
-                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.55;
+  const double climb = (1.15 - 0.62 * outward) * (1 + 0.55 * tongue) *
+                       (0.75 + 0.5 * random(index, cycle, kSpeed)) * life / 0.46;
   const double height = climb * age * (1.25 - 0.25 * age);
   const dvec2 middle = dvec2(0.35 * noise_.at(std::floor(angle * 1.3) * 5.3, 7), 0) * kEmitterRadius;
-  const double narrow = 1 - 0.80 * std::pow(age, 0.8);
+  const double narrow = 1 - 0.85 * std::pow(age, 0.8);
   dvec2 ground = direction * (outward * kEmitterRadius * narrow) + middle * (1 - narrow);
   const double loose = std::min(height * height * 1.6, height);
   ground += wind(time, height) * loose;

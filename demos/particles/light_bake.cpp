@@ -107,8 +107,8 @@ dvec3 LightBake::halfLight(const dvec3& point, const dvec3& normal) const {
   const double open = openness(point, normal);
   const dvec3 bounce = dvec3(0.16, 0.085, 0.038) * open;
   const dvec3 night = dvec3(0.030, 0.042, 0.070) * open;
-  // The light falls off less steeply than it would, as if walls out of sight threw it back.
-  const dvec3 light = dvec3(6.6, 3.75, 1.65) * (direct * (0.35 + 0.65 * open)) + bounce + night;
+  const dvec3 light = dvec3(5.4, 3.2, 1.5) * (direct * (0.35 + 0.65 * open)) + bounce + night;
+  // Bright light saturates, as on film.
   return 1.0 - glm::exp(-0.9 * light);
 }
 
