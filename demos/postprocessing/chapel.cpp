@@ -72,7 +72,9 @@ MeshData wallPiece(double x0, double x1, const std::function<double(double)>& lo
     return dvec3(x, glm::mix(low(x), high(x), v), kRoomMin.z);
   });
   for (room::Vertex& v : mesh.vertices) {
-    v.normal = {0, 0, 1};
+    v.tangent = {1, 0, 0};  // where the columns are densest, differences are too small to tell
+    v.bitangent = {0, 1, 0};
+    v.normal = v.side = {0, 0, 1};
     v.uv = dvec2(v.position) / kAshlarExtent;
   }
   return mesh;
@@ -89,7 +91,7 @@ room::Texel cloth(double u, double v, dvec3 color) {
   return t;
 }
 
-// What a window throws into dusty air: its colors without its cames, smooth at the edges, with a margin.
+// What a window throws into dusty air: its colors run together, smooth at the edges, with a margin.
 room::Image softened(const GlazedLancet& window) {
   const Lancet& lancet = window.lancet;
   const double height = lancet.top() - lancet.sill;
