@@ -145,6 +145,16 @@ Mesh sphere(int slices, int stacks) {
   return mesh;
 }
 
+void drawFloor() {
+  perspective(0.5, 60);
+  glTranslatef(0, -0.6f, -8);
+  glRotatef(-80, 1, 0, 0);
+  glScalef(8, 8, 1);
+  Mesh mesh = plane(1);
+  for (GLfloat& t : mesh.texCoords) t *= 8;
+  mesh.draw();
+}
+
 Mesh textured(double s0, double t0, double s1, double t1) {
   Mesh mesh = rectangle(-1, -1, 1, 1);
   const auto a = static_cast<GLfloat>(s0), b = static_cast<GLfloat>(t0), c = static_cast<GLfloat>(s1),

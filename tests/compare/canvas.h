@@ -48,6 +48,9 @@ Mesh sphere(int slices, int stacks);
 // A full-screen rectangle whose texture coordinates run from (s0, t0) to (s1, t1).
 Mesh textured(double s0, double t0, double s1, double t1);
 
+// A textured floor that runs from magnification to strong minification.
+void drawFloor();
+
 // Makes and binds a texture of the active unit, enabled, NEAREST, REPEAT; texels as RGBA, reduced to
 // `format`.
 GLuint texture(int width, int height, Texel (*texel)(int x, int y), GLenum format = GL_RGBA);

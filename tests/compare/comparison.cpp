@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
+
 #include <sstream>
 
 namespace comparison {
@@ -25,9 +27,10 @@ std::map<std::string, Result> renderScenes(const Environment& environment, const
   std::map<std::string, Result> results;
   std::vector<std::string> left = task.scenes;
   while (!left.empty()) {
-    std::vector<std::string> arguments = {"--worker",  task.directory,
-                                          "--shifts",  std::to_string(task.shifts),
-                                          "--repeats", std::to_string(task.repeats)};
+    std::vector<std::string> arguments = {"--worker",    task.directory,
+                                          "--repeats",   std::to_string(task.repeats),
+                                          "--lod-error", std::to_string(task.lodError)};
+    if (task.varied) arguments.emplace_back("--varied");
     for (const std::string& name : left) arguments.insert(arguments.end(), {"--scene", name});
     const Outcome outcome = run(kSelf, arguments, withoutCaches(environment), kWorkerSeconds);
     std::istringstream lines(outcome.output);
@@ -61,17 +64,37 @@ bool wanted(const Plan& plan, const std::string& name) {
 }
 
 const char* driverScene(Driver driver) {
-  return driver == Driver::kFilter ? "driver/filter weights" : "driver/level of detail";
+  switch (driver) {
+    case Driver::kFilter:
+      return "driver/filter weights";
+    case Driver::kLevelOfDetail:
+      return "driver/level of detail";
+    case Driver::kBlend:
+      return "driver/blending";
+    case Driver::kLine:
+      return "driver/line colors";
+    case Driver::kSmoothLine:
+      return "driver/smooth lines";
+    default:
+      return "";
+  }
 }
 
+bool measuresDriver(const Scene& scene) {
+  return scene.name.starts_with("driver/");
+}
+
+using DriverErrors = std::map<std::string, int>;
+
 // 1/255, and 2/255 after three or more roundings; or the driver's own error where that is more.
-void setBound(Row& row, const Scene& scene, const std::map<std::string, int>& driverErrors) {
+void setBound(Row& row, const Scene& scene, const DriverErrors& driverErrors) {
   row.bound = scene.blendedPasses >= 3 ? 2 : 1;
   if (scene.surface.rgb565) {
     row.bound = 9;
     row.boundReason = "one step of five bits";
   }
-  if (scene.driver == Driver::kExact || scene.name == driverScene(scene.driver)) return;
+  // The error of a level of detail is in the expectation.
+  if (measuresDriver(scene) || scene.driver == Driver::kLevelOfDetail) return;
   const auto measured = driverErrors.find(driverScene(scene.driver));
   if (measured == driverErrors.end() || measured->second <= row.bound) return;
   row.bound = measured->second;
@@ -117,46 +140,92 @@ void writePictures(const Plan& plan, const Row& row, const Picture& reference) {
 
 }  // namespace
 
-std::vector<Row> compareAll(const Plan& plan) {
-  std::vector<const Scene*> scenes;
-  std::vector<std::string> names;
-  for (const Scene& scene : allScenes()) {
-    // What a bound may come from is always measured.
-    if (!wanted(plan, scene.name) && !scene.name.starts_with("driver/")) continue;
-    scenes.push_back(&scene);
-    names.push_back(scene.name);
-  }
-  const TemporaryDirectory temporary;
-  const auto render = [&](const std::string& name, const Environment& environment, int shifts, int repeats) {
-    const std::string directory = temporary.path() + "/" + name;
-    std::filesystem::create_directories(directory);
-    return renderScenes(environment, {directory, names, shifts, repeats});
-  };
-  const auto references = render("reference", plan.reference, kShiftCount, 1);
-  std::map<std::string, std::map<std::string, Result>> others;
-  for (const Implementation& implementation : plan.implementations)
-    others[implementation.name] = render(implementation.name, implementation.environment, 1, plan.repeats);
+namespace {
 
-  std::vector<Row> rows;
-  std::map<std::string, int> driverErrors;
-  for (const Scene* scene : scenes) {
-    Row row{scene->name, scene->section, scene->mesaDiffers, scene->extreme, 1, {}, {}, 0, {}};
+// Some scenes on all implementations.
+class Round {
+ public:
+  Round(const Plan& plan, std::vector<const Scene*> scenes, double lodError)
+      : plan_(plan), scenes_(std::move(scenes)), lodError_(lodError) {
+    for (const Scene* scene : scenes_) names_.push_back(scene->name);
+    reference_ = render("reference", plan.reference, true, 1);
+    for (const Implementation& implementation : plan.implementations)
+      others_[implementation.name] =
+          render(implementation.name, implementation.environment, false, plan.repeats);
+  }
+
+  std::vector<Row> rows(const DriverErrors& driverErrors) {
+    std::vector<Row> result;
+    for (const Scene* scene : scenes_) result.push_back(makeRow(*scene, driverErrors));
+    return result;
+  }
+
+ private:
+  std::map<std::string, Result> render(const std::string& name, const Environment& environment, bool varied,
+                                       int repeats) const {
+    const std::string directory = temporary_.path() + "/" + name;
+    std::filesystem::create_directories(directory);
+    return renderScenes(environment, {directory, names_, varied, lodError_, repeats});
+  }
+
+  Row makeRow(const Scene& scene, const DriverErrors& driverErrors) {
+    Row row;
+    row.name = scene.name;
+    row.section = scene.section;
+    row.mesaDiffers = scene.mesaDiffers;
+    row.deviates = scene.deviates;
+    row.extreme = scene.extreme;
+    setBound(row, scene, driverErrors);
+    for (auto& [name, results] : others_) row.results[name] = results[scene.name];
+    const Result reference = reference_[scene.name];
+    if (reference.fault.starts_with("no gl") && reference.fault == row.results["ours"].fault) {
+      row.skipped = reference.fault;
+      return row;
+    }
     std::vector<Picture> pictures;
-    for (int shift = 0; shift < kShiftCount; ++shift)
-      pictures.push_back(readPicture(pictureFile(temporary.path() + "/reference", scene->name, shift)));
-    for (auto& [name, results] : others) row.results[name] = results[scene->name];
-    setBound(row, *scene, driverErrors);
+    const int count = static_cast<int>(variants(scene, lodError_).size());
+    for (int i = 0; i < count; ++i)
+      pictures.push_back(readPicture(pictureFile(temporary_.path() + "/reference", scene.name, i)));
     const Expectation expected(std::move(pictures));
     if (expected.picture().rgba.empty()) row.failures.push_back("no picture of the reference");
     judge(row, expected);
-    row.results["reference"] = references.at(scene->name);
-    if (scene->name.starts_with("driver/")) {
-      driverErrors[scene->name] = row.results["ours"].difference.worst;
-      row.failures.clear();
-    }
-    writePictures(plan, row, expected.picture());
-    rows.push_back(std::move(row));
+    row.results["reference"] = reference;
+    if (measuresDriver(scene)) row.failures.clear();
+    writePictures(plan_, row, expected.picture());
+    return row;
   }
+
+  const Plan& plan_;
+  std::vector<const Scene*> scenes_;
+  double lodError_;
+  std::vector<std::string> names_;
+  TemporaryDirectory temporary_;
+  std::map<std::string, Result> reference_;
+  std::map<std::string, std::map<std::string, Result>> others_;
+};
+
+}  // namespace
+
+std::vector<Row> compareAll(const Plan& plan) {
+  // What a bound may come from is always measured, and first.
+  std::vector<const Scene*> drivers, others;
+  for (const Scene& scene : allScenes()) {
+    if (measuresDriver(scene))
+      drivers.push_back(&scene);
+    else if (wanted(plan, scene.name))
+      others.push_back(&scene);
+  }
+  std::vector<Row> rows = Round(plan, drivers, 0).rows({});
+  DriverErrors errors;
+  double lodError = 0;
+  for (const Row& row : rows) {
+    const Difference& ours = row.results.at("ours").difference;
+    errors[row.name] = std::max(ours.worst, ours.worstOutside);
+    if (row.name.starts_with("driver/level of detail"))
+      lodError = std::max(lodError, errors[row.name] / 255.0);
+  }
+  std::vector<Row> rest = Round(plan, others, lodError).rows(errors);
+  std::move(rest.begin(), rest.end(), std::back_inserter(rows));
   return rows;
 }
 

@@ -25,11 +25,12 @@ struct Result {
 };
 
 struct Row {
-  std::string name, section, mesaDiffers;
+  std::string name, section, mesaDiffers, deviates;
   bool extreme = false;
   int bound = 1;                          // what an interior pixel of ours may be off
   std::string boundReason;                // empty: the project's own bound
   std::map<std::string, Result> results;  // by implementation
+  std::string skipped;                    // both ours and the reference lack a command
   int disagreements = 0;                  // interior pixels where Mesa is further from us than the bound
   std::vector<std::string> failures;      // what of ours is out of bounds
 };

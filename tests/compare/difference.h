@@ -9,12 +9,12 @@
 namespace comparison {
 
 // The reference's picture, and what it may become when rounding moves geometry by one unit of the sub-pixel
-// grid: per pixel and channel the least and the greatest of its pictures with all geometry moved (kShifts). A
-// pixel whose range is wider than a step is an edge pixel: on which side of an edge its sample lies is a
-// matter of rounding. Every other pixel is an interior one.
+// grid: per pixel and channel the least and the greatest of its pictures with everything moved that rounding
+// may move (variants). A pixel whose range is wider than a step is an edge pixel: on which side of an edge
+// its sample lies is a matter of rounding. Every other pixel is an interior one.
 class Expectation {
  public:
-  // The pictures of all shifts, the unmoved first; they must be of one size.
+  // The pictures of all variants, the unmoved first; they must be of one size.
   explicit Expectation(std::vector<Picture> pictures);
   const Picture& picture() const { return picture_; }
   bool edge(std::size_t pixel) const;

@@ -58,17 +58,75 @@ void levelOfDetail() {
   }
 }
 
+// A floor: in perspective the derivatives are differences across 2x2 pixels, which is one more approximation.
+void levelOfDetailOfFloor() {
+  texture(1, 1, black);
+  blackAndWhiteLevels();
+  drawFloor();
+}
+
+// Where the grey turns at a whole level an error is folded back, so the same once more, half a level on.
+void levelOfDetailHalfOn() {
+  const auto half = static_cast<GLfloat>(std::sqrt(2.0));
+  glMatrixMode(GL_TEXTURE);
+  glScalef(half, half, 1);
+  glMatrixMode(GL_MODELVIEW);
+  levelOfDetailOfFloor();
+}
+
+// Two passes of colours that 8 bits hold exactly, without interpolation, onto such a colour: only the
+// blending rounds.
+void blending() {
+  clear(51 / 255.0f, 102 / 255.0f, 153 / 255.0f, 204 / 255.0f);
+  texture(16, 16, noise);
+  environment(GL_REPLACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  textured(0, 0, 1, 1).draw();
+  textured(0.5, 0.25, 1.5, 1.25).draw();
+}
+
+// Black at one end and white at the other: an error is where along the line a fragment takes its colour from
+// (equation 3.5), in 1/255 of the line. Every tenth degree, since the error depends on the direction.
+Mesh rays(float from, float to) {
+  Mesh mesh;
+  for (int i = 0; i < 36; ++i) {
+    const double a = 6.283185307 * i / 36 + 0.05, c = std::cos(a), s = std::sin(a);
+    mesh.positions.insert(mesh.positions.end(),
+                          {static_cast<GLfloat>(0.1 * c), static_cast<GLfloat>(0.1 * s), 0,
+                           static_cast<GLfloat>(0.9 * c), static_cast<GLfloat>(0.9 * s), 0});
+    mesh.colors.insert(mesh.colors.end(), {from, from, from, 1, to, to, to, 1});
+  }
+  return mesh;
+}
+void lineColors() {
+  rays(0, 1).draw(GL_LINES);
+}
+
+// White on black: the coverage itself.
+void smoothLines() {
+  glLineWidth(2.5f);
+  glEnable(GL_LINE_SMOOTH);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  rays(1, 1).draw(GL_LINES);
+}
+
 }  // namespace
 
 void addDriverScenes(Scenes& scenes) {
-  scenes.push_back(
-      {"driver/filter weights", "Vulkan 1.1, 15.6", filterWeights, {128, 128}, 0, Driver::kFilter});
-  scenes.push_back({"driver/level of detail",
-                    "Vulkan 1.1, 15.6.7",
-                    levelOfDetail,
-                    {kRows, kRows},
-                    0,
-                    Driver::kLevelOfDetail});
+  const auto add = [&scenes](const char* name, const char* section, void (*draw)(), int size, Driver driver) {
+    scenes.push_back({name, section, draw, {size, size}, 0, driver});
+  };
+  add("driver/filter weights", "Vulkan 1.1, 15.6", filterWeights, 128, Driver::kFilter);
+  add("driver/level of detail", "Vulkan 1.1, 15.6.7", levelOfDetail, kRows, Driver::kLevelOfDetail);
+  add("driver/level of detail of a floor", "Vulkan 1.1, 15.6.7", levelOfDetailOfFloor, kRows,
+      Driver::kLevelOfDetail);
+  add("driver/level of detail half on", "Vulkan 1.1, 15.6.7", levelOfDetailHalfOn, kRows,
+      Driver::kLevelOfDetail);
+  add("driver/blending", "Vulkan 1.1, 26.1", blending, 64, Driver::kBlend);
+  add("driver/line colors", "Vulkan 1.1, 24.6", lineColors, 64, Driver::kLine);
+  add("driver/smooth lines", "Vulkan 1.1, 24.6", smoothLines, 64, Driver::kSmoothLine);
 }
 
 }  // namespace comparison

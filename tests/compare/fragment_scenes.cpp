@@ -67,10 +67,14 @@ void alphaTest() {
 }
 
 void logicOp() {
-  clear(0.7f, 0.3f, 0.9f, 0.4f);
+  clear(0.8f, 0.2f, 0.6f, 0.4f);
   glEnable(GL_COLOR_LOGIC_OP);
   glLogicOp(GL_XOR);
-  drawTwo();
+  // A step's difference in a colour is 255 in its bits: both are whole steps.
+  glColor4f(85 / 255.0f, 170 / 255.0f, 15 / 255.0f, 1);
+  rectangle(-0.7, -0.7, 0.2, 0.3).draw();
+  glColor4f(240 / 255.0f, 51 / 255.0f, 204 / 255.0f, 60 / 255.0f);
+  rectangle(-0.4, -0.3, 0.8, 0.9).draw();
 }
 
 void colorMask() {
@@ -127,21 +131,22 @@ void lowColors() {
 }  // namespace
 
 void addFragmentScenes(Scenes& scenes) {
-  scenes.insert(scenes.end(), {
-                                  {"blend/over", "4.1.7", blendOver},
-                                  {"blend/six passes", "4.1.7", blendMany, {}, 6},
-                                  {"blend/reverse subtract", "OES_blend_subtract", blendSubtract},
-                                  {"blend/separate", "OES_blend_func_separate", blendSeparate},
-                                  {"fragment/stencil", "4.1.5", stencil},
-                                  {"fragment/alpha test", "4.1.4", alphaTest},
-                                  {"fragment/logic op", "4.1.9", logicOp},
-                                  {"fragment/color mask", "4.2.2", colorMask},
-                                  {"fragment/scissor", "4.1.2", scissor},
-                                  {"fragment/depth", "4.1.6", depthIntersection, {96, 96}},
-                                  {"fragment/polygon offset", "3.5.2", polygonOffset, {96, 96}},
-                                  {"fragment/multisample", "3.2.1", multisample, {64, 64, 4}},
-                                  {"fragment/565", "4.1.8", lowColors, {64, 64, 0, true}},
-                              });
+  scenes.insert(scenes.end(),
+                {
+                    {"blend/over", "4.1.7", blendOver, {}, 2, Driver::kBlend},
+                    {"blend/six passes", "4.1.7", blendMany, {}, 6, Driver::kBlend},
+                    {"blend/reverse subtract", "OES_blend_subtract", blendSubtract, {}, 2, Driver::kBlend},
+                    {"blend/separate", "OES_blend_func_separate", blendSeparate, {}, 2, Driver::kBlend},
+                    {"fragment/stencil", "4.1.5", stencil},
+                    {"fragment/alpha test", "4.1.4", alphaTest},
+                    {"fragment/logic op", "4.1.9", logicOp},
+                    {"fragment/color mask", "4.2.2", colorMask},
+                    {"fragment/scissor", "4.1.2", scissor},
+                    {"fragment/depth", "4.1.6", depthIntersection, {96, 96}},
+                    {"fragment/polygon offset", "3.5.2", polygonOffset, {96, 96}},
+                    {"fragment/multisample", "3.2.1", multisample, {64, 64, 4}},
+                    {"fragment/565", "4.1.8", lowColors, {64, 64, 0, true}},
+                });
 }
 
 }  // namespace comparison

@@ -39,7 +39,8 @@ void describe(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_option("--worker", options.worker.directory)->group("");
   app.add_option("--scene", options.worker.scenes)->group("");
-  app.add_option("--shifts", options.worker.shifts)->group("")->check(CLI::Range(1, kShiftCount));
+  app.add_flag("--varied", options.worker.varied)->group("");
+  app.add_option("--lod-error", options.worker.lodError)->group("");
 }
 
 void addImplementations(Options& options) {
@@ -67,7 +68,8 @@ int compareAndReport(Options& options) {
                                          : asTable(rows, options.plan);
   std::fputs(text.c_str(), stdout);
   const bool good = std::all_of(rows.begin(), rows.end(), [](const Row& row) {
-    return row.failures.empty() && (row.disagreements == 0 || !row.mesaDiffers.empty());
+    return row.failures.empty() == row.deviates.empty() &&
+           (row.disagreements == 0 || !row.mesaDiffers.empty());
   });
   return good && !rows.empty() ? 0 : 1;
 }

@@ -112,9 +112,9 @@ void throughTheEye() {
 
 void addPrimitiveScenes(Scenes& scenes) {
   scenes.insert(scenes.end(), {
-                                  {"lines/thin", "3.4.1", lines},
-                                  {"lines/wide", "3.4.2", wideLines},
-                                  {"lines/smooth", "3.4.2", smoothLines},
+                                  {"lines/thin", "3.4.1", lines, {}, 0, Driver::kLine},
+                                  {"lines/wide", "3.4.2", wideLines, {}, 0, Driver::kLine},
+                                  {"lines/smooth", "3.4.2", smoothLines, {}, 0, Driver::kSmoothLine},
                                   {"points/square", "3.3", points},
                                   {"points/smooth", "3.3", smoothPoints},
                                   {"points/sprites", "OES_point_sprite", sprites},

@@ -29,8 +29,11 @@ bool mesaIsExacter(const Row& row) {
 }
 
 std::string notes(const Row& row) {
+  if (!row.skipped.empty()) return fmt::format("  skipped {}: {}\n", row.name, row.skipped);
   std::string text;
-  for (const std::string& failure : row.failures) text += fmt::format("  FAIL {}: {}\n", row.name, failure);
+  for (const std::string& failure : row.failures)
+    text += fmt::format("  {} {}: {}\n", row.deviates.empty() ? "FAIL" : "deviates", row.name, failure);
+  if (!row.deviates.empty()) text += fmt::format("  deviates {}: {}\n", row.name, row.deviates);
   if (row.disagreements > 0 && row.mesaDiffers.empty())
     text +=
         fmt::format("  UNEXPLAINED {}: Mesa differs in {} interior pixels\n", row.name, row.disagreements);
@@ -60,7 +63,7 @@ std::string asTable(const std::vector<Row>& rows, const Plan& plan) {
                         row.bound, reference ? reference->milliseconds : 0);
     for (const Implementation& implementation : plan.implementations)
       text += " | " + cells(row, implementation.name);
-    text += row.failures.empty() ? "\n" : "  FAIL\n";
+    text += row.failures.empty() ? "\n" : row.deviates.empty() ? "  FAIL\n" : "  deviates\n";
   }
   for (const Implementation& implementation : plan.implementations) {
     double milliseconds = 0;

@@ -70,21 +70,19 @@ void crossbar() {
   drawColored(textured(0, 0, 1, 1));
 }
 
-// A floor that runs from magnification to strong minification.
-void drawFloor() {
-  perspective(0.5, 60);
-  glTranslatef(0, -0.6f, -8);
-  glRotatef(-80, 1, 0, 0);
-  glScalef(8, 8, 1);
-  Mesh mesh = plane(1);
-  for (GLfloat& t : mesh.texCoords) t *= 8;
-  mesh.draw();
+template <int grey>
+Texel solid(int, int) {
+  return {grey, 255 - grey, grey / 2, 255};
 }
 
-void mipmapped(GLenum minFilter) {
-  texture(32, 32, noise);
-  for (int i = 1; i <= 5; ++i) level(i, 32 >> i, 32 >> i, noise);
-  filter(minFilter, GL_LINEAR);
+void mipmapped(GLenum minFilter, GLenum magFilter = GL_NEAREST) {
+  // Every level has one colour, so that the picture is the levels' choice and nothing else.
+  constexpr Texel (*kLevels[])(int, int) = {solid<20>,  solid<230>, solid<90>,
+                                            solid<160>, solid<0>,   solid<255>};
+  texture(32, 32, kLevels[0]);
+  for (int i = 1; i <= 5; ++i) level(i, 32 >> i, 32 >> i, kLevels[i]);
+  // With a LINEAR magFilter the switch-over may be at c = 0.5, which is another scene.
+  filter(minFilter, magFilter);
   environment(GL_REPLACE);
   drawFloor();
 }
@@ -118,7 +116,8 @@ void format(GLenum format) {
 void generatedMipmaps() {
   texture(1, 1, noise);
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, 1);
-  level(0, 32, 32, ramp);
+  // Every level but 0 has one colour.
+  level(0, 32, 32, checker);
   filter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
   environment(GL_REPLACE);
   drawFloor();
@@ -211,6 +210,9 @@ void addTextureScenes(Scenes& scenes) {
       Driver::kLevelOfDetail);
   add(
       "mipmaps/linear linear", "3.7.7", [] { mipmapped(GL_LINEAR_MIPMAP_LINEAR); }, medium,
+      Driver::kLevelOfDetail);
+  add(
+      "mipmaps/switch-over at 0.5", "3.7.7", [] { mipmapped(GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR); }, medium,
       Driver::kLevelOfDetail);
   add("mipmaps/generated", "3.7.7", generatedMipmaps, medium, Driver::kLevelOfDetail);
   add(

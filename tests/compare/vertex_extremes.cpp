@@ -79,12 +79,11 @@ void fixedUnit() {
 
 void denormalPositions() {
   projection();
-  glScalef(1e20f, 1e20f, 1);
-  glScalef(1e20f, 1e20f, 1);
+  glScalef(1e38f, 1e38f, 1);
   glMatrixMode(GL_MODELVIEW);
   glColor4f(0.3f, 0.9f, 0.5f, 1);
   Mesh mesh = rectangle(-0.6, -0.6, 0.6, 0.6);
-  for (GLfloat& p : mesh.positions) p *= 1e-40f;
+  for (GLfloat& p : mesh.positions) p *= 1e-38f;
   mesh.draw();
 }
 
@@ -266,7 +265,7 @@ void addVertexExtremes(Scenes& scenes) {
   add("points/size 1e-3", "3.3", [] { sizes(1e-3f, GL_POINTS); });
   add("points/size 1e30", "3.3", [] { sizes(1e30f, GL_POINTS); });
   add("lines/width 1e-3", "3.4.2", [] { sizes(1e-3f, GL_LINES); });
-  add("lines/width 1e30", "3.4.2", [] { sizes(1e30f, GL_LINES); });
+  add("lines/width 100", "3.4.2", [] { sizes(100, GL_LINES); });
   add("draw texture/far outside", "OES_draw_texture", drawTextureExtremes);
 }
 

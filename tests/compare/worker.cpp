@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 
 #include "canvas.h"
-#include "scene.h"
 
 namespace comparison {
 
@@ -111,17 +111,27 @@ struct Rendered {
   double milliseconds = 0;  // drawing and reading back, without the making of the context
 };
 
+void varyCoordinates(const Variant& variant) {
+  if (variant.scale == 1 && variant.s == 0 && variant.t == 0) return;
+  const auto scale = static_cast<GLfloat>(variant.scale);
+  glMatrixMode(GL_TEXTURE);
+  glTranslatef(static_cast<GLfloat>(variant.s), static_cast<GLfloat>(variant.t), 0);
+  glScalef(scale, scale, 1);
+  glMatrixMode(GL_MODELVIEW);
+}
+
 // An empty picture when there is no config of the kind.
-Rendered render(EGLDisplay display, const Scene& scene, const Shift& shift) {
+Rendered render(EGLDisplay display, const Scene& scene, const Variant& variant) {
   const Session session(display, scene.surface);
   if (!session.current()) return {};
   Rendered result{{scene.surface.width, scene.surface.height, {}}, 0};
   result.picture.rgba.assign(
       static_cast<std::size_t>(scene.surface.width) * static_cast<std::size_t>(scene.surface.height) * 4,
       0xcd);
-  setShift(shift.x, shift.y);
+  setShift(variant.x, variant.y);
   const auto start = std::chrono::steady_clock::now();
   viewport(0, 0, scene.surface.width, scene.surface.height);
+  varyCoordinates(variant);
   clear(0, 0, 0, 0);
   scene.draw();
   glReadPixels(0, 0, scene.surface.width, scene.surface.height, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -131,13 +141,15 @@ Rendered render(EGLDisplay display, const Scene& scene, const Shift& shift) {
   return result;
 }
 
-void renderShifts(EGLDisplay display, const Scene& scene, const WorkerTask& task) {
+void renderVariants(EGLDisplay display, const Scene& scene, const WorkerTask& task) {
+  const std::vector<Variant> all = variants(scene, task.lodError);
   Rendered rendered;
-  for (int i = 0; i < task.repeats; ++i) rendered = render(display, scene, kShifts[0]);
+  for (int i = 0; i < task.repeats; ++i) rendered = render(display, scene, all[0]);
   if (rendered.picture.rgba.empty()) throw std::runtime_error("no such config");
   write(pictureFile(task.directory, scene.name, 0), rendered.picture);
-  for (int shift = 1; shift < task.shifts; ++shift)
-    write(pictureFile(task.directory, scene.name, shift), render(display, scene, kShifts[shift]).picture);
+  for (std::size_t i = 1; task.varied && i < all.size(); ++i)
+    write(pictureFile(task.directory, scene.name, static_cast<int>(i)),
+          render(display, scene, all[i]).picture);
   std::printf("done\t%s\t%.4f\n", scene.name.c_str(), rendered.milliseconds);
 }
 
@@ -145,7 +157,7 @@ void renderAll(EGLDisplay display, const Scene& scene, const WorkerTask& task) {
   std::printf("begin\t%s\n", scene.name.c_str());
   std::fflush(stdout);
   try {
-    renderShifts(display, scene, task);
+    renderVariants(display, scene, task);
   } catch (const std::exception& error) {
     std::printf("skip\t%s\t%s\n", scene.name.c_str(), error.what());
   }
@@ -161,11 +173,27 @@ void work(const WorkerTask& task) {
       renderAll(display.handle(), scene, task);
 }
 
-std::string pictureFile(const std::string& directory, const std::string& scene, int shift) {
+std::vector<Variant> variants(const Scene& scene, double lodError) {
+  std::vector<Variant> result = {{}};
+  const double unit = 1.0 / 256, ulp = scene.coordinateUlp;
+  for (double x : {-1.0, 1.0})
+    for (double y : {-1.0, 1.0}) result.push_back({x * unit, y * unit, 1, 0, 0});
+  // In steps, since what lies between the ends may be further off than they are.
+  if (ulp > 0) {
+    for (int s = -4; s <= 4; ++s)
+      for (int t = -4; t <= 4; ++t) result.push_back({0, 0, 1, s / 4.0 * ulp, t / 4.0 * ulp});
+  }
+  if (scene.driver == Driver::kLevelOfDetail && lodError > 0) {
+    for (int i = -16; i <= 16; ++i) result.push_back({0, 0, std::exp2(i / 16.0 * lodError), 0, 0});
+  }
+  return result;
+}
+
+std::string pictureFile(const std::string& directory, const std::string& scene, int variant) {
   std::string name = scene;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
-  return directory + "/" + name + "." + std::to_string(shift) + ".rgba";
+  return directory + "/" + name + "." + std::to_string(variant) + ".rgba";
 }
 
 Picture readPicture(const std::string& file) {

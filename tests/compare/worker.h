@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scene.h"
+
 namespace comparison {
 
 struct Picture {
@@ -12,30 +14,32 @@ struct Picture {
   std::vector<std::uint8_t> rgba;  // lower left row first
 };
 
-// All geometry moved by so many pixels; the first is where it belongs. One unit of Vulkan's 8 sub-pixel bits
-// in each direction: what the edges of a primitive may move through rounding of its vertices.
-struct Shift {
-  double x, y;
+// How a picture of the reference is varied, to see what rounding may make of it. The first variant of every
+// scene changes nothing.
+struct Variant {
+  double x = 0, y = 0;  // all geometry moved by so many pixels
+  double scale = 1;     // texture coordinates multiplied
+  double s = 0, t = 0;  // and moved
 };
-inline constexpr Shift kShifts[] = {{0, 0},
-                                    {1.0 / 256, 1.0 / 256},
-                                    {-1.0 / 256, 1.0 / 256},
-                                    {1.0 / 256, -1.0 / 256},
-                                    {-1.0 / 256, -1.0 / 256}};
-inline constexpr int kShiftCount = 5;
+
+// Geometry moves by one unit of Vulkan's 8 sub-pixel bits in each direction: what the edges of a primitive
+// may move through rounding of its vertices. The level of detail moves by `lodError`, the driver's measured
+// one, and texture coordinates by one unit in float32's last place, where the scene names these.
+std::vector<Variant> variants(const Scene& scene, double lodError);
 
 struct WorkerTask {
   std::string directory;            // where pictures go
   std::vector<std::string> scenes;  // their names
-  int shifts = 1;                   // how many of kShifts
-  int repeats = 1;                  // of the first shift; the last one is timed
+  bool varied = false;              // all variants, else the first alone
+  double lodError = 0;
+  int repeats = 1;  // of the first variant; the last one is timed
 };
 
 // Writes a file a picture, and to standard output two lines a scene, words apart by tabs: "begin NAME", then
 // "done NAME MILLISECONDS" or "skip NAME REASON".
 void work(const WorkerTask& task);
 
-std::string pictureFile(const std::string& directory, const std::string& scene, int shift);
+std::string pictureFile(const std::string& directory, const std::string& scene, int variant);
 // An empty picture when the file is not there or broken.
 Picture readPicture(const std::string& file);
 
