@@ -179,9 +179,10 @@ std::vector<Variant> variants(const Scene& scene, double lodError) {
   for (double x : {-1.0, 1.0})
     for (double y : {-1.0, 1.0}) result.push_back({x * unit, y * unit, 1, 0, 0});
   // In steps, since what lies between the ends may be further off than they are.
+  // Steps that meet the centres of texels, where a linear filter has its extremes.
   if (ulp > 0) {
-    for (int s = -4; s <= 4; ++s)
-      for (int t = -4; t <= 4; ++t) result.push_back({0, 0, 1, s / 4.0 * ulp, t / 4.0 * ulp});
+    for (int s = -6; s <= 6; ++s)
+      for (int t = -6; t <= 6; ++t) result.push_back({0, 0, 1, s / 6.0 * ulp, t / 6.0 * ulp});
   }
   if (scene.driver == Driver::kLevelOfDetail && lodError > 0) {
     for (int i = -16; i <= 16; ++i) result.push_back({0, 0, std::exp2(i / 16.0 * lodError), 0, 0});
