@@ -26,10 +26,11 @@ vec3 eyePoint(vec4 eye) { return eye.w == 1.0 || eye.w == 0.0 ? eye.xyz : eye.xy
 // The product of directions of section 2.12.1.
 float facing(vec3 a, vec3 b) { return max(dot(a, b), 0.0); }
 vec4 saturate(vec4 v) { return clamp(v, 0.0, 1.0); }
-// A unit vector; 0 for 0.
+// A unit vector; 0 for 0. Scaled first, so that no square leaves the range of a float.
 vec3 safeNormalize(vec3 v) {
-  float squared = dot(v, v);
-  return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  vec3 scaled = v / largest;
+  return largest > 0.0 ? scaled * inversesqrt(dot(scaled, scaled)) : vec3(0.0);
 }
 // REFLECTION_MAP_OES: the direction from the eye, reflected.
 vec3 reflection(vec3 point, vec3 normal) {

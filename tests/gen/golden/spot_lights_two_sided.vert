@@ -41,10 +41,11 @@ float facing(vec3 a, vec3 b) { return max(dot(a, b), 0.0); }
 float highlight(vec3 normal, vec3 toLight, vec3 halfVector, float shininess) {
   return facing(normal, toLight) != 0.0 ? pow(facing(normal, halfVector), shininess) : 0.0;
 }
-// A unit vector; 0 for 0.
+// A unit vector; 0 for 0. Scaled first, so that no square leaves the range of a float.
 vec3 safeNormalize(vec3 v) {
-  float squared = dot(v, v);
-  return squared > 0.0 ? v * inversesqrt(squared) : vec3(0.0);
+  float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+  vec3 scaled = v / largest;
+  return largest > 0.0 ? scaled * inversesqrt(dot(scaled, scaled)) : vec3(0.0);
 }
 // Equation 2.4; no attenuation where it has no value.
 float attenuation(vec3 k, float range) {
