@@ -151,7 +151,13 @@ Opened Store::prepareSchema(bool mayCreate) {
     if (tables > 0 || application != 0) return Opened::Foreign;
     return {};  // nothing yet
   };
-  if (const auto known = state()) return *known;
+  // One snapshot: another process may be making the schema between two of these questions.
+  if (database_.run("BEGIN") != SQLITE_OK) return failed();
+  const auto found = state();
+  if (found == Opened::Damaged || found == Opened::Unusable)
+    return *found;  // with its message; closing rolls back
+  rollback();
+  if (found) return *found;
   if (!mayCreate) return Opened::Foreign;
   if (database_.run("PRAGMA journal_mode = WAL") != SQLITE_OK) return failed();
   if (database_.run("BEGIN IMMEDIATE") != SQLITE_OK) return failed();
