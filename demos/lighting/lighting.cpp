@@ -131,10 +131,7 @@ void Lighting::setup() {
 
 void Lighting::frame(const room::View& view, std::string_view stage) {
   const Terms terms = termsOf(stage);
-  if (terms.specular && texGeni_ == nullptr) {
-    throw std::runtime_error(
-        "the highlights need GL_OES_texture_cube_map, which this implementation does not have");
-  }
+  if (terms.specular && texGeni_ == nullptr) room::requireExtension("GL_OES_texture_cube_map", "lighting");
   scene_->animate(view.time);
 
   const double turn = glm::two_pi<double>() * view.time;

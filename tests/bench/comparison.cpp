@@ -43,7 +43,8 @@ std::vector<std::string> workerArguments(const Plan& plan, const std::string& wo
 // Starts one worker and adds the medians of what it measured.
 void addRound(const Plan& plan, const std::string& worker, const Environment& environment,
               ImplementationResult& result) {
-  const Outcome outcome = runSelf(workerArguments(plan, worker), environment, kWorkerSeconds);
+  const process::Outcome outcome =
+      process::run("/proc/self/exe", workerArguments(plan, worker), environment, kWorkerSeconds);
   if (outcome.status != 0) {
     result.faults.push_back(fmt::format("the {} worker ended with status {}", worker, outcome.status));
     return;
@@ -65,7 +66,7 @@ void addRound(const Plan& plan, const std::string& worker, const Environment& en
 std::vector<ImplementationResult> measure(const Plan& plan) {
   std::vector<ImplementationResult> results;
   std::vector<std::string> directories;
-  const TemporaryDirectory temporary;
+  const process::TemporaryDirectory temporary;
   for (const Implementation& implementation : plan.implementations) {
     results.push_back({implementation.name, "?", {}, {}});
     directories.push_back(temporary.path() + "/" + implementation.name);

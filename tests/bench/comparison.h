@@ -10,6 +10,8 @@
 
 namespace bench {
 
+using process::Environment;
+
 struct Implementation {
   std::string name;
   Environment environment;  // makes a process find it

@@ -47,7 +47,7 @@ Implementation parseImplementation(const std::string& text) {
 std::vector<Implementation> implementations(const Options& options) {
   std::vector<Implementation> result;
   if (options.compare) {
-    const std::string ours = executableDirectory() + "/../lib";
+    const std::string ours = process::executableDirectory() + "/../lib";
     if (std::filesystem::exists(ours + "/libEGL.so.1"))
       result.push_back({"ours", {{"LD_LIBRARY_PATH", ours}}});
     else

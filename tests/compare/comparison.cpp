@@ -32,7 +32,8 @@ std::map<std::string, Result> renderScenes(const Environment& environment, const
                                           "--lod-error", std::to_string(task.lodError)};
     if (task.varied) arguments.emplace_back("--varied");
     for (const std::string& name : left) arguments.insert(arguments.end(), {"--scene", name});
-    const Outcome outcome = run(kSelf, arguments, withoutCaches(environment), kWorkerSeconds);
+    const process::Outcome outcome =
+        process::run(kSelf, arguments, withoutCaches(environment), kWorkerSeconds);
     std::istringstream lines(outcome.output);
     std::string begun;
     for (std::string line; std::getline(lines, line);) {
@@ -199,7 +200,7 @@ class Round {
   std::vector<const Scene*> scenes_;
   double lodError_;
   std::vector<std::string> names_;
-  TemporaryDirectory temporary_;
+  process::TemporaryDirectory temporary_;
   std::map<std::string, Result> reference_;
   std::map<std::string, std::map<std::string, Result>> others_;
 };

@@ -11,6 +11,8 @@
 
 namespace comparison {
 
+using process::Environment;
+
 struct Implementation {
   std::string name;
   Environment environment;

@@ -44,7 +44,7 @@ void describe(CLI::App& app, Options& options) {
 }
 
 void addImplementations(Options& options) {
-  const Environment ours = {{"LD_LIBRARY_PATH", executableDirectory() + "/../lib"}};
+  const Environment ours = {{"LD_LIBRARY_PATH", process::executableDirectory() + "/../lib"}};
   const auto with = [](Environment environment, const Environment& more) {
     environment.insert(more.begin(), more.end());
     return environment;

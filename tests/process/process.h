@@ -1,10 +1,11 @@
+// Fresh processes under another implementation.
 #pragma once
 
 #include <map>
 #include <string>
 #include <vector>
 
-namespace bench {
+namespace process {
 
 using Environment = std::map<std::string, std::string>;  // added to or put in place of the inherited one
 
@@ -13,9 +14,9 @@ struct Outcome {
   std::string output;  // standard output
 };
 
-// Runs this program again with `arguments` and `environment`, and waits. It is killed after `seconds`. Throws
-// std::system_error when it cannot be started.
-Outcome runSelf(const std::vector<std::string>& arguments, const Environment& environment, unsigned seconds);
+// Runs `program` and waits; it is killed after `seconds`. Throws std::system_error when it cannot be started.
+Outcome run(const std::string& program, const std::vector<std::string>& arguments,
+            const Environment& environment, unsigned seconds);
 
 // A directory that is gone, with its contents, when this is.
 class TemporaryDirectory {
@@ -33,4 +34,4 @@ class TemporaryDirectory {
 // The directory of this program's executable.
 std::string executableDirectory();
 
-}  // namespace bench
+}  // namespace process

@@ -11,7 +11,7 @@
 #include <filesystem>
 #include <system_error>
 
-namespace comparison {
+namespace process {
 
 namespace {
 
@@ -74,7 +74,7 @@ Outcome run(const std::string& program, const std::vector<std::string>& argument
 }
 
 TemporaryDirectory::TemporaryDirectory() {
-  path_ = (std::filesystem::temp_directory_path() / "anteroom-compare-XXXXXX").string();
+  path_ = (std::filesystem::temp_directory_path() / "anteroom-XXXXXX").string();
   if (!mkdtemp(path_.data())) failed("mkdtemp");
 }
 
@@ -87,4 +87,4 @@ std::string executableDirectory() {
   return std::filesystem::read_symlink("/proc/self/exe").parent_path().string();
 }
 
-}  // namespace comparison
+}  // namespace process
