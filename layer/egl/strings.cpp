@@ -8,14 +8,20 @@ namespace {
 constexpr const char* kVersion = "1.5 Anteroom";
 
 constexpr const char* kClientExtensions =
-    "EGL_EXT_client_extensions EGL_EXT_device_base EGL_EXT_device_enumeration EGL_EXT_device_query "
-    "EGL_EXT_platform_base EGL_EXT_platform_device EGL_KHR_client_get_all_proc_addresses "
-    "EGL_MESA_platform_surfaceless";
+#define ANTEROOM_CLIENT_EXTENSION(name, purpose) "EGL_" #name " "
+#define ANTEROOM_DISPLAY_EXTENSION(name, purpose)
+#include "layer/egl/extensions.inc"
+#undef ANTEROOM_CLIENT_EXTENSION
+#undef ANTEROOM_DISPLAY_EXTENSION
+    ;
 
 constexpr const char* kDisplayExtensions =
-    "EGL_KHR_create_context EGL_KHR_create_context_no_error EGL_KHR_fence_sync "
-    "EGL_KHR_get_all_proc_addresses "
-    "EGL_KHR_no_config_context EGL_KHR_surfaceless_context EGL_KHR_wait_sync";
+#define ANTEROOM_CLIENT_EXTENSION(name, purpose)
+#define ANTEROOM_DISPLAY_EXTENSION(name, purpose) "EGL_" #name " "
+#include "layer/egl/extensions.inc"
+#undef ANTEROOM_CLIENT_EXTENSION
+#undef ANTEROOM_DISPLAY_EXTENSION
+    ;
 
 // What can be asked without a display; null: nothing of that name.
 const char* clientString(EGLint name) {
