@@ -41,7 +41,6 @@ Coordinate coordinateOf(const State& state, int unit) {
 }
 
 FogMode fogMode(const Fog& fog) {
-  if (!fog.enabled) return FogMode::None;
   return fog.mode == GL_LINEAR ? FogMode::Linear : fog.mode == GL_EXP2 ? FogMode::Exp2 : FogMode::Exp;
 }
 
@@ -188,7 +187,8 @@ FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
     key.units[u].coordinate = coordinateOf(state, u);
     translateEnvironment(state, u, key.units[u]);
   }
-  key.fog = fogMode(state.fog);
+  key.fogSource = fogMode(state.fog);
+  if (state.fog.enabled) key.fog = key.fogSource;
   key.alphaTest = alphaTest(state);
   key.pointShape = pointShape(state, profile);
   key.pointFade = pointFade(state, profile);
@@ -211,7 +211,7 @@ VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, co
     if (state.lighting.enabled) translateLighting(state, key);
     key.twoSided = fragment.twoSided;
   }
-  key.fog = fragment.fog != FogMode::None;
+  key.fog = fragment.fog != FogMode::None || fragment.fogSource != FogMode::None;
   key.fogW = state.attributes[kPosition].array && state.attributes[kPosition].size == 4;
   key.clipPlanes = profile.clipDistance ? enabledPlanes(state) : fragment.discardPlanes;
   key.clipVaryings = !profile.clipDistance;

@@ -1,6 +1,9 @@
 #include "gen/combiner.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "gen/ati.h"
 
 namespace anteroom::gen {
 namespace {
@@ -62,6 +65,51 @@ void translateFixedMode(GLenum mode, GLenum baseFormat, Source texture, Fragment
   }
 }
 
+// IMG_texture_env_enhanced_fixed_function, Table 3.24; what a base format has not is 0, and its alpha 1, but
+// for the entries that leave the previous color or alpha.
+void translateImgMode(GLenum mode, GLenum baseFormat, Source texture, FragmentUnit& out) {
+  const Argument textureColor = hasColor(baseFormat) ? Argument{texture, Operand::Color} : kZero;
+  const Argument textureAlpha = hasAlpha(baseFormat) ? Argument{texture, Operand::Alpha} : kOne;
+  const Argument previousColor{Source::Previous, Operand::Color};
+  const Argument previousAlpha{Source::Previous, Operand::Alpha};
+  switch (mode) {
+    case GL_MODULATE_COLOR_IMG:
+      if (hasColor(baseFormat)) out.rgb = {Function::Modulate, 0, {previousColor, textureColor}};
+      if (hasAlpha(baseFormat)) out.alpha = {Function::Replace, 0, {textureAlpha}};
+      break;
+    case GL_RECIP_ADD_SIGNED_ALPHA_IMG:
+      out.alpha = {Function::AddSigned,
+                   0,
+                   {previousAlpha, hasAlpha(baseFormat) ? Argument{texture, Operand::OneMinusAlpha} : kZero}};
+      break;
+    case GL_TEXTURE_ALPHA_MODULATE_IMG:
+      out.rgb = {Function::Modulate, 0, {textureColor, textureAlpha}};
+      out.alpha = {Function::Replace, 0, {textureAlpha}};
+      break;
+    case GL_FACTOR_ALPHA_MODULATE_IMG:
+      out.rgb = {Function::Modulate, 0, {textureColor, {Source::Constant, Operand::Alpha}}};
+      out.alpha = {Function::Replace, 0, {{Source::Constant, Operand::Alpha}}};
+      break;
+    case GL_FRAGMENT_ALPHA_MODULATE_IMG:
+      out.rgb = {Function::Modulate, 0, {textureColor, previousAlpha}};
+      break;
+    case GL_ADD_BLEND_IMG:
+      out.rgb = {Function::ModulateAdd,
+                 0,
+                 {textureColor, previousColor, {Source::Previous, Operand::OneMinusAlpha}}};
+      out.alpha = {Function::Modulate, 0, {previousAlpha, textureAlpha}};
+      break;
+    default:  // DOT3_RGBA_IMG: defined for RGB and RGBA; elsewhere the fragment passes
+      if (baseFormat != GL_RGB && baseFormat != GL_RGBA) break;
+      out.rgb = out.alpha = {Function::Dot3, 0, {previousColor, textureColor}};
+      break;
+  }
+}
+
+bool isImgMode(GLenum mode) {
+  return (mode >= GL_MODULATE_COLOR_IMG && mode <= GL_ADD_BLEND_IMG) || mode == GL_DOT3_RGBA_IMG;
+}
+
 Function translateFunction(GLenum function) {
   switch (function) {
     case GL_REPLACE:
@@ -76,7 +124,15 @@ Function translateFunction(GLenum function) {
       return Function::Subtract;
     case GL_DOT3_RGB:
     case GL_DOT3_RGBA:
+    case kDot3RgbExt:
+    case kDot3RgbaExt:
       return Function::Dot3;
+    case kModulateAdd:
+      return Function::ModulateAdd;
+    case kModulateSignedAdd:
+      return Function::ModulateSignedAdd;
+    case kModulateSubtract:
+      return Function::ModulateSubtract;
     default:
       return Function::Modulate;
   }
@@ -99,7 +155,19 @@ uint8_t translateScale(float scale) {
   return scale >= 4 ? 2 : scale >= 2 ? 1 : 0;
 }
 
-// Tables 3.18 and 3.19. False: the source is a unit without a texture.
+// The last unit before `unit` that is on and whose result stands for the texture of unit `texture`; -1: none.
+int routed(const State& state, int unit, int texture, bool alpha) {
+  while (--unit >= 0) {
+    const TextureEnv& env = state.units[unit].env;
+    if (state.units[unit].target != TextureTarget::None &&
+        (alpha ? env.outputAlpha : env.outputRgb) == texture)
+      return unit;
+  }
+  return -1;
+}
+
+// Tables 3.18 and 3.19, ATI_texture_env_combine3 and gen/ati.h. False: the source is a unit without a
+// texture.
 bool translateArgument(const State& state, int unit, GLenum source, GLenum operand, Argument& out) {
   out.operand = translateOperand(operand);
   switch (source) {
@@ -112,11 +180,25 @@ bool translateArgument(const State& state, int unit, GLenum source, GLenum opera
     case GL_CONSTANT:
       out.source = Source::Constant;
       return true;
+    case GL_ZERO:
+    case kSecondaryColor:
+      out.source = Source::Zero;
+      return true;
+    case GL_ONE:
+      out.source = Source::One;
+      return true;
+    case GL_FOG:
+      out.source = Source::Fog;
+      return true;
     default:
       break;
   }
   const int sampled = source == GL_TEXTURE ? unit : static_cast<int>(source) - GL_TEXTURE0;
   if (sampled < 0 || sampled >= kMaxTextureUnits) return false;
+  if (const int from = routed(state, unit, sampled, readsAlpha(out.operand)); from >= 0) {
+    out.source = outputSource(from);
+    return true;
+  }
   if (state.units[sampled].target == TextureTarget::None) return false;
   // What a base format has not: color 0, alpha 1 (table 3.9).
   const GLenum format = state.units[sampled].baseFormat;
@@ -131,15 +213,15 @@ bool translateArgument(const State& state, int unit, GLenum source, GLenum opera
 bool translateCombine(const State& state, int unit, FragmentUnit& out) {
   const TextureEnv& env = state.units[unit].env;
   out.rgb.function = translateFunction(env.combineRgb);
-  out.rgb.scaleLog2 = translateScale(env.rgbScale);
+  const bool scaled = env.combineRgb != kDot3RgbExt && env.combineRgb != kDot3RgbaExt;
+  if (scaled) out.rgb.scaleLog2 = translateScale(env.rgbScale);
   for (int i = 0; i < argumentCount(out.rgb.function); ++i)
     if (!translateArgument(state, unit, env.srcRgb[i], env.operandRgb[i], out.rgb.arguments[i])) return false;
-  out.alpha.scaleLog2 = translateScale(env.alphaScale);
-  if (env.combineRgb == GL_DOT3_RGBA) {
-    out.alpha.function = Function::Dot3;
-    out.alpha.arguments = out.rgb.arguments;
+  if (env.combineRgb == GL_DOT3_RGBA || env.combineRgb == kDot3RgbaExt) {
+    out.alpha = {Function::Dot3, scaled ? translateScale(env.alphaScale) : uint8_t{0}, out.rgb.arguments};
     return true;
   }
+  out.alpha.scaleLog2 = translateScale(env.alphaScale);
   out.alpha.function = translateFunction(env.combineAlpha);
   if (out.alpha.function == Function::Dot3)
     out.alpha.function = Function::Modulate;  // no alpha combiner of its own
@@ -156,12 +238,40 @@ bool translateCombine(const State& state, int unit, FragmentUnit& out) {
 
 enum class Channel { Rgb, Alpha };
 
-// Whether the previous color and alpha are still the primary color's: then Previous is the one name for both.
-struct Untouched {
-  bool rgb = true, alpha = true;
+// The last unit so far that wrote the color, and the alpha; -1: none, so that they are still the primary
+// color's: then Previous is the one name for both.
+class Writers {
+ public:
+  void pass(int unit, const FragmentUnit& combiners) {
+    rgb_[unit] = combiners.rgb.function == Function::Keep ? last(false) : unit;
+    alpha_[unit] = combiners.alpha.function == Function::Keep ? last(true) : unit;
+    count_ = unit + 1;
+  }
+  int last(bool alpha) const { return count_ == 0 ? -1 : upTo(count_ - 1, alpha); }
+  // The writer of what unit `unit` left; a unit that has not been passed leaves what came last.
+  int upTo(int unit, bool alpha) const {
+    if (count_ == 0) return -1;
+    return (alpha ? alpha_ : rgb_)[std::min(unit, count_ - 1)];
+  }
+
+ private:
+  std::array<int, kMaxTextureUnits> rgb_{}, alpha_{};
+  int count_ = 0;
 };
 
-void reduceArgument(Argument& argument, Channel channel, Function function, Untouched untouched) {
+void reduceSource(Argument& argument, const Writers& writers) {
+  const bool alpha = readsAlpha(argument.operand);
+  if (const int unit = outputUnit(argument.source); unit >= 0) {
+    const int writer = writers.upTo(unit, alpha);
+    if (writer == writers.last(alpha))
+      argument.source = Source::Previous;
+    else
+      argument.source = writer < 0 ? Source::Primary : outputSource(writer);
+  }
+  if (argument.source == Source::Primary && writers.last(alpha) < 0) argument.source = Source::Previous;
+}
+
+void reduceArgument(Argument& argument, Channel channel, Function function, const Writers& writers) {
   if (argument.source == Source::Zero || argument.source == Source::One) {
     if (complements(argument.operand))
       argument.source = argument.source == Source::Zero ? Source::One : Source::Zero;
@@ -170,8 +280,7 @@ void reduceArgument(Argument& argument, Channel channel, Function function, Unto
   }
   if (channel == Channel::Alpha && function != Function::Dot3)
     argument.operand = complements(argument.operand) ? Operand::OneMinusAlpha : Operand::Alpha;
-  const bool unchanged = readsAlpha(argument.operand) ? untouched.alpha : untouched.rgb;
-  if (argument.source == Source::Primary && unchanged) argument.source = Source::Previous;
+  reduceSource(argument, writers);
 }
 
 Combiner replaceBy(Argument argument, uint8_t scaleLog2) {
@@ -204,6 +313,24 @@ Combiner fold(const Combiner& in) {
     case Function::Replace:
       if (same(a, kZero) || same(a, kOne)) return replaceBy(a, 0);
       break;
+    case Function::ModulateAdd:
+      if (same(b, kOne)) return replaceBy(kOne, 0);
+      if (same(b, kZero)) return fold({Function::Modulate, in.scaleLog2, {a, c}});
+      if (same(a, kZero) || same(c, kZero)) return replaceBy(b, in.scaleLog2);
+      if (same(a, kOne)) return fold({Function::Add, in.scaleLog2, {c, b}});
+      if (same(c, kOne)) return fold({Function::Add, in.scaleLog2, {a, b}});
+      break;
+    case Function::ModulateSignedAdd:
+      if (same(a, kOne)) return fold({Function::AddSigned, in.scaleLog2, {c, b}});
+      if (same(c, kOne)) return fold({Function::AddSigned, in.scaleLog2, {a, b}});
+      if (same(a, kZero) || same(c, kZero)) return fold({Function::AddSigned, in.scaleLog2, {b, kZero}});
+      break;
+    case Function::ModulateSubtract:
+      if (same(a, kZero) || same(c, kZero) || same(b, kOne)) return replaceBy(kZero, 0);
+      if (same(b, kZero)) return fold({Function::Modulate, in.scaleLog2, {a, c}});
+      if (same(a, kOne)) return fold({Function::Subtract, in.scaleLog2, {c, b}});
+      if (same(c, kOne)) return fold({Function::Subtract, in.scaleLog2, {a, b}});
+      break;
     default:
       break;
   }
@@ -215,20 +342,28 @@ bool commutes(Function function) {
          function == Function::Dot3;
 }
 
-void reduceCombiner(Combiner& combiner, Channel channel, Untouched untouched) {
+// Whether the function is Arg0 * Arg2 with something added: the factors commute.
+bool multiplies(Function function) {
+  return function == Function::ModulateAdd || function == Function::ModulateSignedAdd ||
+         function == Function::ModulateSubtract;
+}
+
+void reduceCombiner(Combiner& combiner, Channel channel, const Writers& writers) {
   if (combiner.function == Function::Keep) {
     combiner = {};
     return;
   }
   for (int i = 0; i < 3; ++i) {
     if (i < argumentCount(combiner.function))
-      reduceArgument(combiner.arguments[i], channel, combiner.function, untouched);
+      reduceArgument(combiner.arguments[i], channel, combiner.function, writers);
     else
       combiner.arguments[i] = {};
   }
   combiner = fold(combiner);
   if (commutes(combiner.function) && order(combiner.arguments[1]) < order(combiner.arguments[0]))
     std::swap(combiner.arguments[0], combiner.arguments[1]);
+  if (multiplies(combiner.function) && order(combiner.arguments[2]) < order(combiner.arguments[0]))
+    std::swap(combiner.arguments[0], combiner.arguments[2]);
   const Argument unchanged{Source::Previous, channel == Channel::Rgb ? Operand::Color : Operand::Alpha};
   if (combiner.function == Function::Replace && combiner.scaleLog2 == 0 &&
       same(combiner.arguments[0], unchanged))
@@ -237,36 +372,45 @@ void reduceCombiner(Combiner& combiner, Channel channel, Untouched untouched) {
 
 // From the first unit to the last: each combiner by itself.
 void reduceForward(std::array<FragmentUnit, kMaxTextureUnits>& units) {
-  Untouched untouched;
-  for (FragmentUnit& unit : units) {
-    reduceCombiner(unit.rgb, Channel::Rgb, untouched);
-    reduceCombiner(unit.alpha, Channel::Alpha, untouched);
-    untouched.rgb = untouched.rgb && unit.rgb.function == Function::Keep;
-    untouched.alpha = untouched.alpha && unit.alpha.function == Function::Keep;
+  Writers writers;
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    reduceCombiner(units[u].rgb, Channel::Rgb, writers);
+    reduceCombiner(units[u].alpha, Channel::Alpha, writers);
+    writers.pass(u, units[u]);
   }
 }
 
-struct Live {
-  bool rgb = true, alpha = true;
-};
+// What later units read, going from the last unit to the first.
+class Live {
+ public:
+  // Of what unit `unit` leaves: whether its color, or its alpha, is read.
+  bool rgbAfter(int unit) const { return rgb_ || (outputsRgb_ >> unit & 1); }
+  bool alphaAfter(int unit) const { return alpha_ || (outputsAlpha_ >> unit & 1); }
+  void pass(int unit, const FragmentUnit& combiners) {
+    rgb_ = rgbAfter(unit) && combiners.rgb.function == Function::Keep;
+    alpha_ = alphaAfter(unit) && combiners.alpha.function == Function::Keep;
+    forEachArgument(combiners, [&](Argument argument) {
+      const bool alpha = readsAlpha(argument.operand);
+      if (argument.source == Source::Previous) (alpha ? alpha_ : rgb_) = true;
+      if (const int from = outputUnit(argument.source); from >= 0)
+        (alpha ? outputsAlpha_ : outputsRgb_) |= 1u << from;
+    });
+  }
+  // Whether the primary color reaches the first unit that reads what is previous.
+  bool atStart() const { return rgb_ || alpha_; }
 
-Live liveBefore(const FragmentUnit& unit, Live after) {
-  Live before{after.rgb && unit.rgb.function == Function::Keep,
-              after.alpha && unit.alpha.function == Function::Keep};
-  forEachArgument(unit, [&](Argument argument) {
-    if (argument.source != Source::Previous) return;
-    (readsAlpha(argument.operand) ? before.alpha : before.rgb) = true;
-  });
-  return before;
-}
+ private:
+  bool rgb_ = true, alpha_ = true;
+  uint32_t outputsRgb_ = 0, outputsAlpha_ = 0;
+};
 
 // From the last unit to the first: results that nobody reads are not computed.
 void reduceBackward(std::array<FragmentUnit, kMaxTextureUnits>& units) {
   Live live;
   for (int u = kMaxTextureUnits - 1; u >= 0; --u) {
-    if (!live.rgb) units[u].rgb = {};
-    if (!live.alpha) units[u].alpha = {};
-    live = liveBefore(units[u], live);
+    if (!live.rgbAfter(u)) units[u].rgb = {};
+    if (!live.alphaAfter(u)) units[u].alpha = {};
+    live.pass(u, units[u]);
   }
 }
 
@@ -275,6 +419,7 @@ void reduceBackward(std::array<FragmentUnit, kMaxTextureUnits>& units) {
 void translateEnvironment(const State& state, int unit, FragmentUnit& out) {
   const TextureUnit& in = state.units[unit];
   if (in.target == TextureTarget::None) return;
+  if (isImgMode(in.env.mode)) return translateImgMode(in.env.mode, in.baseFormat, textureSource(unit), out);
   if (in.env.mode != GL_COMBINE)
     return translateFixedMode(in.env.mode, in.baseFormat, textureSource(unit), out);
   // OES_texture_env_crossbar: a unit that refers to one without a texture does nothing.
@@ -301,14 +446,17 @@ uint32_t texturesRead(const std::array<FragmentUnit, kMaxTextureUnits>& units) {
   return mask;
 }
 
+bool reads(const std::array<FragmentUnit, kMaxTextureUnits>& units, Source source) {
+  bool found = false;
+  for (const FragmentUnit& unit : units)
+    forEachArgument(unit, [&](Argument argument) { found |= argument.source == source; });
+  return found;
+}
+
 bool readsPrimaryColor(const std::array<FragmentUnit, kMaxTextureUnits>& units) {
   Live live;
-  bool primary = false;
-  for (int u = kMaxTextureUnits - 1; u >= 0; --u) {
-    forEachArgument(units[u], [&](Argument argument) { primary |= argument.source == Source::Primary; });
-    live = liveBefore(units[u], live);
-  }
-  return primary || live.rgb || live.alpha;
+  for (int u = kMaxTextureUnits - 1; u >= 0; --u) live.pass(u, units[u]);
+  return live.atStart() || reads(units, Source::Primary);
 }
 
 }  // namespace anteroom::gen

@@ -7,7 +7,7 @@ namespace anteroom::gen {
 
 // Number of arguments that a function reads.
 constexpr int argumentCount(Function function) {
-  constexpr int kCounts[] = {0, 1, 2, 2, 2, 3, 2, 2};
+  constexpr int kCounts[] = {0, 1, 2, 2, 2, 3, 2, 2, 3, 3, 3};
   return kCounts[static_cast<int>(function)];
 }
 
@@ -20,7 +20,13 @@ constexpr bool complements(Operand operand) {
 
 // The unit that a source samples, or -1.
 constexpr int sampledUnit(Source source) {
-  return source < Source::Texture0 ? -1 : static_cast<int>(source) - static_cast<int>(Source::Texture0);
+  if (source < Source::Texture0 || source > Source::TextureLast) return -1;
+  return static_cast<int>(source) - static_cast<int>(Source::Texture0);
+}
+
+// The unit whose result a source is, or -1.
+constexpr int outputUnit(Source source) {
+  return source < Source::Output0 ? -1 : static_cast<int>(source) - static_cast<int>(Source::Output0);
 }
 
 // Calls visit(argument) for every argument that the unit's combiners read.
@@ -39,6 +45,9 @@ void reduceCombiners(std::array<FragmentUnit, kMaxTextureUnits>& units);
 
 // Bit u set: some combiner reads the texture of unit u.
 uint32_t texturesRead(const std::array<FragmentUnit, kMaxTextureUnits>& units);
+
+// Whether some combiner reads the source.
+bool reads(const std::array<FragmentUnit, kMaxTextureUnits>& units, Source source);
 
 // Whether the primary color is read, or reaches the end.
 bool readsPrimaryColor(const std::array<FragmentUnit, kMaxTextureUnits>& units);

@@ -31,11 +31,13 @@ constexpr std::string_view kTargetWords[] = {"none", "2d", "cube", "3d"};
 constexpr std::string_view kFogWords[] = {"none", "linear", "exp", "exp2"};
 constexpr std::string_view kAlphaTestWords[] = {"always", "never",   "less",     "equal",
                                                 "lequal", "greater", "notequal", "gequal"};
-constexpr std::string_view kFunctionWords[] = {"keep",      "replace",     "modulate", "add",
-                                               "addsigned", "interpolate", "subtract", "dot3"};
-constexpr std::string_view kSourceWords[] = {"previous", "primary",  "constant", "0",        "1",
-                                             "texture0", "texture1", "texture2", "texture3", "texture4",
-                                             "texture5", "texture6", "texture7"};
+constexpr std::string_view kFunctionWords[] = {"keep",        "replace",           "modulate",        "add",
+                                               "addsigned",   "interpolate",       "subtract",        "dot3",
+                                               "modulateadd", "modulatesignedadd", "modulatesubtract"};
+constexpr std::string_view kSourceWords[] = {
+    "previous", "primary",  "constant", "0",        "1",        "texture0", "texture1", "texture2",
+    "texture3", "texture4", "texture5", "texture6", "texture7", "fog",      "output0",  "output1",
+    "output2",  "output3",  "output4",  "output5",  "output6",  "output7"};
 
 // A field of one byte: its name, a number after the name (or -1), and its values, as words or as a range from
 // 0.
@@ -99,6 +101,7 @@ void visitFragment(Key& key, Visit visit) {
     words("read", key.units[u].coordinate, kCoordinateWords, u);
   }
   words("fog", key.fog, kFogWords);
+  words("fog-source", key.fogSource, kFogWords);
   words("alpha-test", key.alphaTest, kAlphaTestWords);
   words("point-shape", key.pointShape, kPointShapeWords);
   number("point-fade", key.pointFade, 1);

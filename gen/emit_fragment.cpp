@@ -22,7 +22,10 @@ std::string sourceName(Source source, int unit) {
       return "vec4(0.0)";
     case Source::One:
       return "vec4(1.0)";
+    case Source::Fog:
+      return "vec4(fogFactor)";
     default:
+      if (const int from = outputUnit(source); from >= 0) return fmt::format("output{}", from);
       return fmt::format("texel{}", sampledUnit(source));
   }
 }
@@ -64,6 +67,12 @@ Expression functionText(const Combiner& combiner, Channel channel, int unit, Sha
       return {fmt::format("{} - {}", a, b), false};
     case Function::Dot3:
       return {fmt::format("{}({}, {})", shader.call("dot3"), a, b), true};
+    case Function::ModulateAdd:
+      return {fmt::format("{} * {} + {}", a, c, b), false};
+    case Function::ModulateSignedAdd:
+      return {fmt::format("{} * {} + {} - 0.5", a, c, b), false};
+    case Function::ModulateSubtract:
+      return {fmt::format("{} * {} - {}", a, c, b), false};
     default:
       return {"color", true};
   }
@@ -72,8 +81,7 @@ Expression functionText(const Combiner& combiner, Channel channel, int unit, Sha
 // Arguments are in [0, 1]: only these can leave it.
 bool leavesRange(const Combiner& combiner) {
   const Function f = combiner.function;
-  return combiner.scaleLog2 || f == Function::Add || f == Function::AddSigned || f == Function::Subtract ||
-         f == Function::Dot3;
+  return combiner.scaleLog2 || f == Function::Add || f == Function::AddSigned || f >= Function::Subtract;
 }
 
 Expression combinerText(const Combiner& combiner, Channel channel, int unit, Shader& shader) {
@@ -136,14 +144,24 @@ void readPrimary(const FragmentKey& key, Shader& shader) {
   shader.line("vec4 color = {};", primary ? "primary" : value);
 }
 
-void fog(FogMode mode, Shader& shader) {
-  if (mode == FogMode::None) return;
+std::string fogFactor(FogMode mode, Shader& shader) {
   shader.declareLine("layout(location = {}) in float fogDepth;", kFogDepthLocation);
   const std::string_view function = shader.call(mode == FogMode::Linear ? "fogLinear"
                                                 : mode == FogMode::Exp  ? "fogExp"
                                                                         : "fogExp2");
   const std::string_view parameters = mode == FogMode::Linear ? "fogEnd, fogScale" : "fogDensity";
-  shader.line("color.rgb = mix(fogColor, color.rgb, {}(fogDepth, {}));", function, parameters);
+  return fmt::format("{}(fogDepth, {})", function, parameters);
+}
+
+void fog(const FragmentKey& key, Shader& shader) {
+  if (key.fog == FogMode::None) return;
+  const std::string factor = key.fogSource == FogMode::None ? fogFactor(key.fog, shader) : "fogFactor";
+  shader.line("color.rgb = mix(fogColor, color.rgb, {});", factor);
+}
+
+// A result that a later unit reads, though it is not the previous one any more.
+bool isOutput(const FragmentKey& key, int unit) {
+  return reads(key.units, outputSource(unit));
 }
 
 void shapePoint(const FragmentKey& key, Shader& shader) {
@@ -191,8 +209,12 @@ std::string emitFragment(const FragmentKey& key) {
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (key.units[u].target != TextureTarget::None) sampleTexture(key.units[u], u, shader);
   readPrimary(key, shader);
-  for (int u = 0; u < kMaxTextureUnits; ++u) combine(key.units[u], u, shader);
-  fog(key.fog, shader);
+  if (key.fogSource != FogMode::None) shader.line("float fogFactor = {};", fogFactor(key.fogSource, shader));
+  for (int u = 0; u < kMaxTextureUnits; ++u) {
+    combine(key.units[u], u, shader);
+    if (isOutput(key, u)) shader.line("vec4 output{} = color;", u);
+  }
+  fog(key, shader);
   shapePoint(key, shader);
   discardClipped(key.discardPlanes, shader);
   alphaTest(key.alphaTest, shader);

@@ -16,7 +16,7 @@ namespace anteroom::gen {
 // -----------------------------------------
 
 // What a combiner argument is taken from. Previous: the result so far; before the first unit, the primary
-// color.
+// color. Fog: the fog factor. Output: the result of an earlier unit that is no longer the previous one.
 enum class Source : uint8_t {
   Previous,
   Primary,
@@ -24,10 +24,16 @@ enum class Source : uint8_t {
   Zero,
   One,
   Texture0,
-  TextureLast = Texture0 + kMaxTextureUnits - 1
+  TextureLast = Texture0 + kMaxTextureUnits - 1,
+  Fog,
+  Output0,
+  OutputLast = Output0 + kMaxTextureUnits - 1
 };
 constexpr Source textureSource(int unit) {
   return static_cast<Source>(static_cast<int>(Source::Texture0) + unit);
+}
+constexpr Source outputSource(int unit) {
+  return static_cast<Source>(static_cast<int>(Source::Output0) + unit);
 }
 
 enum class Operand : uint8_t { Color, OneMinusColor, Alpha, OneMinusAlpha };
@@ -37,8 +43,21 @@ struct Argument {
   Operand operand;
 };
 
-// Keep leaves the previous color as it is. Every environment mode is one of these (tables 3.15-3.17).
-enum class Function : uint8_t { Keep, Replace, Modulate, Add, AddSigned, Interpolate, Subtract, Dot3 };
+// Keep leaves the previous color as it is. Every environment mode is one of these (tables 3.15-3.17 and
+// ATI_texture_env_combine3).
+enum class Function : uint8_t {
+  Keep,
+  Replace,
+  Modulate,
+  Add,
+  AddSigned,
+  Interpolate,
+  Subtract,
+  Dot3,
+  ModulateAdd,
+  ModulateSignedAdd,
+  ModulateSubtract
+};
 
 // Unused arguments are zero. In an alpha combiner, Dot3 stands for DOT3_RGBA and has the arguments of the
 // color.
@@ -65,7 +84,8 @@ enum class PointShape : uint8_t { Square, Smooth, RoundSamples };
 
 struct FragmentKey {
   std::array<FragmentUnit, kMaxTextureUnits> units;
-  FogMode fog;
+  FogMode fog;        // the color is fogged
+  FogMode fogSource;  // some combiner reads the fog factor
   AlphaTest alphaTest;
   PointShape pointShape;
   uint8_t pointFade;      // 0, 1: alpha is scaled by equation 3.2
@@ -140,7 +160,7 @@ struct VertexKey {
 static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_copyable_v<VertexKey>);
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
-static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 8);
+static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 9);
 static_assert(sizeof(VertexKey) == kAttributeCount + 21 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {

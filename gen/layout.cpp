@@ -296,11 +296,11 @@ float alphaScale(const State& s) {
 }
 
 template <class Visit>
-void visitFog(FogMode mode, Visit visit) {
-  if (mode == FogMode::None) return;
-  visit({Type::Vec3, "fogColor", -1, "", kGroupFog,
-         [](const State& s, int, float* out) { put(out, clampUnit(s.fog.color)); }});
-  switch (mode) {
+void visitFog(const FragmentKey& key, Visit visit) {
+  if (key.fog != FogMode::None)
+    visit({Type::Vec3, "fogColor", -1, "", kGroupFog,
+           [](const State& s, int, float* out) { put(out, clampUnit(s.fog.color)); }});
+  switch (key.fog != FogMode::None ? key.fog : key.fogSource) {
     case FogMode::Linear:
       visit({Type::Float, "fogEnd", -1, "", kGroupFog, [](const State& s, int, float* out) {
                const bool step = s.fog.start == s.fog.end;  // the distance itself is still clear
@@ -317,10 +317,12 @@ void visitFog(FogMode mode, Visit visit) {
                *out = static_cast<float>(s.fog.density * 1.4426950408889634);
              }});
       break;
-    default:
+    case FogMode::Exp2:
       visit({Type::Float, "fogDensity", -1, "", kGroupFog, [](const State& s, int, float* out) {
                *out = static_cast<float>(s.fog.density * 1.2011224087864498);  // sqrt(log2(e))
              }});
+      break;
+    default:
       break;
   }
 }
@@ -335,7 +337,7 @@ void visitFragment(const FragmentKey& key, Visit visit) {
                for (int i = 0; i < 4; ++i) out[i] = clampUnit(s.units[n].env.color[i]);
              }});
   }
-  visitFog(key.fog, visit);
+  visitFog(key, visit);
   if (key.alphaTest != AlphaTest::Always && key.alphaTest != AlphaTest::Never) {
     visit({Type::Float, "alphaScale", -1, "", kGroupFramebuffer,
            [](const State& s, int, float* out) { *out = alphaScale(s); }});

@@ -106,6 +106,13 @@ void reduce(FragmentKey& key) {
     if (!fits(unit.target, unit.coordinate)) unit.coordinate = simplest(unit.target);
     sprite |= unit.coordinate == Coordinate::Point;
   }
+  // One factor serves both.
+  if (!reads(key.units, Source::Fog))
+    key.fogSource = FogMode::None;
+  else if (key.fog != FogMode::None)
+    key.fogSource = key.fog;
+  else if (key.fogSource == FogMode::None)
+    key.fogSource = FogMode::Exp;
   if (!readsPrimaryColor(key.units)) key.flatColor = key.twoSided = 0;
   if (!sprite) key.pointYUp = 0;
 }

@@ -118,8 +118,11 @@ struct TextureEnv {
   std::array<GLenum, 3> srcAlpha{GL_TEXTURE, GL_PREVIOUS, GL_CONSTANT};
   std::array<GLenum, 3> operandRgb{GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA};
   std::array<GLenum, 3> operandAlpha{GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA};
-  float rgbScale = 1;         // 1, 2 or 4
-  float alphaScale = 1;       // 1, 2 or 4
+  float rgbScale = 1;    // 1, 2 or 4
+  float alphaScale = 1;  // 1, 2 or 4
+  // ATIX_texture_env_route: the unit whose texture this unit's result stands for; -1: none (gen/ati.h).
+  int8_t outputRgb = -1;
+  int8_t outputAlpha = -1;
   bool coordReplace = false;  // section 3.3: point sprites
   float lodBias = 0;
 };

@@ -1,4 +1,5 @@
-// The names that core commands had in OES_fixed_point and OES_single_precision (sections C.3.2 and C.3.3).
+// The names that core commands had in OES_fixed_point and OES_single_precision (sections C.3.2 and C.3.3), and
+// in IMG_user_clip_plane.
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 
@@ -184,4 +185,14 @@ GL_API void GL_APIENTRY glGetClipPlanefOES(GLenum plane, GLfloat* equation) {
 
 GL_API void GL_APIENTRY glOrthofOES(GLfloat l, GLfloat r, GLfloat b, GLfloat t, GLfloat n, GLfloat f) {
   glOrthof(l, r, b, t, n, f);
+}
+
+// IMG_user_clip_plane
+
+GL_API void GL_APIENTRY glClipPlanefIMG(GLenum plane, const GLfloat* equation) {
+  glClipPlanef(plane, equation);
+}
+
+GL_API void GL_APIENTRY glClipPlanexIMG(GLenum plane, const GLfixed* equation) {
+  glClipPlanex(plane, equation);
 }

@@ -1,5 +1,6 @@
 // Sections 3.7.12 and 3.3: texture environments and point sprite coordinates; the active unit (2.10.2); and
 // texture coordinate generation (OES_texture_cube_map).
+#include "gen/ati.h"
 #include "layer/gl/params.h"
 
 using namespace anteroom::gl;
@@ -47,30 +48,69 @@ bool isAlphaCombiner(GLenum value) {
     case GL_ADD_SIGNED:
     case GL_INTERPOLATE:
     case GL_SUBTRACT:
+    case gen::kModulateAdd:
+    case gen::kModulateSignedAdd:
+    case gen::kModulateSubtract:
       return true;
     default:
       return false;
   }
 }
 
-// Tables 3.15 to 3.19.
+bool isMode(GLenum value) {
+  switch (value) {
+    case GL_REPLACE:
+    case GL_MODULATE:
+    case GL_DECAL:
+    case GL_BLEND:
+    case GL_ADD:
+    case GL_COMBINE:
+    case GL_MODULATE_COLOR_IMG:
+    case GL_RECIP_ADD_SIGNED_ALPHA_IMG:
+    case GL_TEXTURE_ALPHA_MODULATE_IMG:
+    case GL_FACTOR_ALPHA_MODULATE_IMG:
+    case GL_FRAGMENT_ALPHA_MODULATE_IMG:
+    case GL_ADD_BLEND_IMG:
+    case GL_DOT3_RGBA_IMG:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool isSource(GLenum value) {
+  switch (value) {
+    case GL_TEXTURE:
+    case GL_CONSTANT:
+    case GL_PRIMARY_COLOR:
+    case GL_PREVIOUS:
+    case GL_ZERO:
+    case GL_ONE:
+      return true;
+    default:
+      return value - GL_TEXTURE0 < gen::kMaxTextureUnits;
+  }
+}
+
+// Tables 3.15 to 3.19, ATI_texture_env_combine3, EXT_texture_env_dot3, ATIX_texture_env_route and
+// IMG_texture_env_enhanced_fixed_function.
 bool isLegal(GLenum pname, GLenum value) {
   switch (pname) {
     case GL_TEXTURE_ENV_MODE:
-      return value == GL_REPLACE || value == GL_MODULATE || value == GL_DECAL || value == GL_BLEND ||
-             value == GL_ADD || value == GL_COMBINE;
+      return isMode(value);
     case GL_COMBINE_RGB:
-      return isAlphaCombiner(value) || value == GL_DOT3_RGB || value == GL_DOT3_RGBA;
+      return isAlphaCombiner(value) || value == GL_DOT3_RGB || value == GL_DOT3_RGBA ||
+             value == gen::kDot3RgbExt || value == gen::kDot3RgbaExt;
     case GL_COMBINE_ALPHA:
       return isAlphaCombiner(value);
     case GL_SRC0_RGB:
     case GL_SRC1_RGB:
     case GL_SRC2_RGB:
+      return isSource(value) || value == gen::kSecondaryColor;
     case GL_SRC0_ALPHA:
     case GL_SRC1_ALPHA:
     case GL_SRC2_ALPHA:
-      return value == GL_TEXTURE || value == GL_CONSTANT || value == GL_PRIMARY_COLOR ||
-             value == GL_PREVIOUS || value - GL_TEXTURE0 < gen::kMaxTextureUnits;
+      return isSource(value) || value == GL_FOG;
     case GL_OPERAND0_RGB:
     case GL_OPERAND1_RGB:
     case GL_OPERAND2_RGB:
@@ -87,6 +127,17 @@ gen::TextureUnit& activeUnit(Context& c) {
 void setScale(Context& c, float& field, float value) {
   if (value != 1 && value != 2 && value != 4) return c.setError(GL_INVALID_VALUE);
   c.set(field, value, kTextures);
+}
+
+// ATIX_texture_env_route; a unit's own texture stands for none.
+void setOutput(Context& c, int8_t& field, GLenum texture) {
+  const GLenum unit = texture - GL_TEXTURE0;
+  if (unit >= gen::kMaxTextureUnits) return c.setError(GL_INVALID_ENUM);
+  const bool own = static_cast<int>(unit) == c.activeTexture;
+  c.set(field, own ? int8_t{-1} : static_cast<int8_t>(unit), kTextures);
+}
+GLenum output(const Context& c, int8_t field) {
+  return GL_TEXTURE0 + static_cast<GLenum>(field < 0 ? c.activeTexture : field);
 }
 
 void setEnv(GLenum target, GLenum pname, const Params& params) {
@@ -110,6 +161,10 @@ void setEnv(GLenum target, GLenum pname, const Params& params) {
       return setScale(*c, env.rgbScale, params.number());
     case GL_ALPHA_SCALE:
       return setScale(*c, env.alphaScale, params.number());
+    case gen::kTextureOutputRgb:
+      return setOutput(*c, env.outputRgb, params.enumerant());
+    case gen::kTextureOutputAlpha:
+      return setOutput(*c, env.outputAlpha, params.enumerant());
     default:
       break;
   }
@@ -134,6 +189,10 @@ void getEnv(GLenum target, GLenum pname, Results results) {
       return results.number(env.rgbScale);
     case GL_ALPHA_SCALE:
       return results.number(env.alphaScale);
+    case gen::kTextureOutputRgb:
+      return results.enumerant(output(*c, env.outputRgb));
+    case gen::kTextureOutputAlpha:
+      return results.enumerant(output(*c, env.outputAlpha));
     default:
       break;
   }

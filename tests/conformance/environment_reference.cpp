@@ -1,10 +1,14 @@
 #include "environment_reference.h"
 
+#include "ati.h"
+
 namespace conformance {
 
 namespace {
 
-const Vec4& source(const Inputs& in, GLenum name) {
+Vec4 source(const Inputs& in, GLenum name) {
+  if (name == GL_ZERO) return {0, 0, 0, 0};
+  if (name == GL_ONE) return {1, 1, 1, 1};
   return name == GL_TEXTURE         ? in.texture
          : name == GL_CONSTANT      ? in.constant
          : name == GL_PRIMARY_COLOR ? in.primary
@@ -13,7 +17,7 @@ const Vec4& source(const Inputs& in, GLenum name) {
 
 // Tables 3.18, 3.19
 Vec3 argument(const Inputs& in, GLenum name, GLenum operand) {
-  const Vec4& c = source(in, name);
+  const Vec4 c = source(in, name);
   switch (operand) {
     case GL_SRC_COLOR:
       return {c[0], c[1], c[2]};
@@ -38,6 +42,12 @@ double combined(GLenum function, double a, double b, double c) {
       return a + b - 0.5;
     case GL_INTERPOLATE:
       return a * c + b * (1 - c);
+    case GL_MODULATE_ADD_ATI:
+      return a * c + b;
+    case GL_MODULATE_SIGNED_ADD_ATI:
+      return a * c + b - 0.5;
+    case GL_MODULATE_SUBTRACT_ATI:
+      return a * c - b;
     default:
       return a - b;
   }

@@ -1,4 +1,4 @@
-// The texture functions of section 3.7.12 in float64, from tables 3.14-3.19.
+// The texture functions of section 3.7.12 in float64, from tables 3.14-3.19 and ATI_texture_env_combine3.
 #pragma once
 
 #include "harness.h"

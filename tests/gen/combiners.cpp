@@ -10,14 +10,16 @@ namespace anteroom::gen {
 namespace {
 
 constexpr GLenum kFormats[] = {GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA};
-constexpr GLenum kSources[] = {GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_TEXTURE5};
+constexpr GLenum kSources[] = {GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_TEXTURE5,
+                               GL_ZERO,    GL_ONE};
 constexpr GLenum kOperands[] = {GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA};
 constexpr GLenum kAlphaOperands[] = {GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA};
-constexpr GLenum kFunctions[] = {GL_REPLACE,     GL_MODULATE, GL_ADD,      GL_ADD_SIGNED,
-                                 GL_INTERPOLATE, GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA};
+constexpr GLenum kFunctions[] = {GL_REPLACE,     GL_MODULATE,        GL_ADD,           GL_ADD_SIGNED,
+                                 GL_INTERPOLATE, GL_SUBTRACT,        GL_DOT3_RGB,      GL_DOT3_RGBA,
+                                 kModulateAdd,   kModulateSignedAdd, kModulateSubtract};
 
 int argumentsOf(GLenum function) {
-  return function == GL_REPLACE ? 1 : function == GL_INTERPOLATE ? 3 : 2;
+  return function == GL_REPLACE ? 1 : function == GL_INTERPOLATE || function >= kModulateAdd ? 3 : 2;
 }
 
 class Compiled {
@@ -35,7 +37,10 @@ class Compiled {
 
 TEST(Combiners, EveryModeWithEveryBaseFormat) {
   Compiled compiled;
-  for (GLenum mode : {GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE})
+  for (GLenum mode :
+       {GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_MODULATE_COLOR_IMG,
+        GL_RECIP_ADD_SIGNED_ALPHA_IMG, GL_TEXTURE_ALPHA_MODULATE_IMG, GL_FACTOR_ALPHA_MODULATE_IMG,
+        GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_ADD_BLEND_IMG, GL_DOT3_RGBA_IMG})
     for (GLenum format : kFormats)
       for (TextureTarget target :
            {TextureTarget::Texture2D, TextureTarget::CubeMap, TextureTarget::Texture3D}) {

@@ -69,6 +69,22 @@ std::vector<DeadState> textureStates() {
        [](State& s) { s.units[0].env.srcRgb[1] = s.units[0].env.srcAlpha[1] = GL_PRIMARY_COLOR; }},
       {"TEXTURE0 for TEXTURE at unit 0", combineState(),
        [](State& s) { s.units[0].env.srcRgb[0] = GL_TEXTURE0; }},
+      {"the fog factor of a fog that no combiner reads", texturedState(),
+       [](State& s) { s.fog.mode = GL_LINEAR, s.fog.density = 3; }},
+      {"a result routed to a unit that nobody reads", texturedState(GL_RGBA, 2),
+       [](State& s) { s.units[0].env.outputRgb = s.units[0].env.outputAlpha = 5; }},
+      {"the previous result by its route",
+       with(texturedState(GL_RGBA, 2),
+            [](State& s) { s.units[1].env.mode = GL_COMBINE, s.units[0].env.outputRgb = 5; }),
+       [](State& s) { s.units[1].env.srcRgb[1] = GL_TEXTURE5; }},
+      {"SECONDARY_COLOR for ZERO", with(combineState(), [](State& s) { s.units[0].env.srcRgb[1] = GL_ZERO; }),
+       [](State& s) { s.units[0].env.srcRgb[1] = kSecondaryColor; }},
+      {"MODULATE_ADD of ZERO", with(combineState(), [](State& s) { s.units[0].env.srcRgb[1] = GL_CONSTANT; }),
+       [](State& s) {
+         s.units[0].env.combineRgb = kModulateAdd;
+         s.units[0].env.srcRgb = {GL_TEXTURE, GL_ZERO, GL_CONSTANT};
+         s.units[0].env.operandRgb[2] = GL_SRC_COLOR;
+       }},
       {"a unit that REPLACE makes dead", replaced, [](State& s) { s.units[0].env.mode = GL_ADD; }},
       {"switching off a unit that REPLACE makes dead", replaced,
        [](State& s) { s.units[0].target = TextureTarget::None; }},

@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "gen/ati.h"
 #include "gen/gen.h"
 
 namespace anteroom::gen {
@@ -152,26 +153,32 @@ class RandomStates {
     unit.texGenMode = pick<GLenum>({GL_REFLECTION_MAP_OES, GL_NORMAL_MAP_OES});
     unit.matrix = matrix();
     TextureEnv& env = unit.env;
-    env.mode = pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE});
+    env.mode = pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE,
+                             GL_COMBINE, GL_MODULATE_COLOR_IMG, GL_RECIP_ADD_SIGNED_ALPHA_IMG,
+                             GL_TEXTURE_ALPHA_MODULATE_IMG, GL_FACTOR_ALPHA_MODULATE_IMG,
+                             GL_FRAGMENT_ALPHA_MODULATE_IMG, GL_ADD_BLEND_IMG, GL_DOT3_RGBA_IMG});
     env.color = color();
     env.combineRgb = pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE,
-                                   GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA});
-    env.combineAlpha =
-        pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT});
+                                   GL_SUBTRACT, GL_DOT3_RGB, GL_DOT3_RGBA, kModulateAdd, kModulateSignedAdd,
+                                   kModulateSubtract, kDot3RgbExt, kDot3RgbaExt});
+    env.combineAlpha = pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE,
+                                     GL_SUBTRACT, kModulateAdd, kModulateSignedAdd, kModulateSubtract});
     for (int i = 0; i < 3; ++i) {
-      env.srcRgb[i] = source();
-      env.srcAlpha[i] = source();
+      env.srcRgb[i] = coin(12) ? kSecondaryColor : source();
+      env.srcAlpha[i] = coin(12) ? GL_FOG : source();
       env.operandRgb[i] =
           pick<GLenum>({GL_SRC_COLOR, GL_ONE_MINUS_SRC_COLOR, GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
       env.operandAlpha[i] = pick<GLenum>({GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA});
     }
     env.rgbScale = pick({1.0f, 2.0f, 4.0f});
     env.alphaScale = pick({1.0f, 2.0f, 4.0f});
+    env.outputRgb = static_cast<int8_t>(coin(3) ? index(kMaxTextureUnits) : -1);
+    env.outputAlpha = static_cast<int8_t>(coin(3) ? index(kMaxTextureUnits) : -1);
     env.coordReplace = coin();
   }
   GLenum source() {
     return coin(4) ? GL_TEXTURE0 + static_cast<GLenum>(index(kMaxTextureUnits))
-                   : pick<GLenum>({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS});
+                   : pick<GLenum>({GL_TEXTURE, GL_CONSTANT, GL_PRIMARY_COLOR, GL_PREVIOUS, GL_ZERO, GL_ONE});
   }
   void points(Points& p) {
     p.size = pick({1.0f, 0.3f, 7.5f, 64.0f});

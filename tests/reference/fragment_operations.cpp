@@ -192,10 +192,10 @@ glm::dvec4 FragmentStage::shade(const Fragment& fragment) const {
   for (int unit = 0; unit < gen::kMaxTextureUnits; ++unit)
     if (state_.fixed.units[static_cast<size_t>(unit)].target != gen::TextureTarget::None)
       samples[static_cast<size_t>(unit)] = sampleTexture(state_, unit, fragment);
-  glm::dvec4 color = applyTextures(state_, fragment.color, samples);
   const gen::Fog& fog = state_.fixed.fog;
+  const double f = fogFactor(fog, fragment.fogDistance);
+  glm::dvec4 color = applyTextures(state_, fragment.color, samples, f);
   if (fog.enabled) {
-    const double f = fogFactor(fog, fragment.fogDistance);
     const glm::dvec3 fogColor = glm::clamp(glm::dvec3(fog.color), glm::dvec3(0), glm::dvec3(1));
     color = {f * glm::dvec3(color) + (1 - f) * fogColor, color.a};
   }
