@@ -1,7 +1,10 @@
 // State to keys (DESIGN: dead state never reaches a key). Each key is first written down as the state says,
 // then reduced.
+#include <algorithm>
+
 #include "gen/combiner.h"
 #include "gen/gen.h"
+#include "gen/palette.h"
 #include "gen/reduce.h"
 #include "gen/values.h"
 
@@ -172,12 +175,22 @@ void translateUnit(const State& state, int unit, Coordinate read, VertexUnit& ou
   out.q1 = qIsOne(state.attributes[texCoord(unit)]);
 }
 
+// OES_matrix_palette: the size of the indices counts; weights that the array has not are 0.
+void translatePalette(const State& state, VertexKey& key) {
+  const AttributeState& index = state.attributes[kMatrixIndex];
+  const AttributeState& weight = state.attributes[kWeight];
+  if (!state.palette || !index.array || !weight.array) return;
+  key.palette = std::min(index.size, weight.size);
+  key.paletteW = !isAffine(*state.palette);
+  key.paletteNormals = needsNormal(key) && !isOrthogonal(*state.palette);
+}
+
 }  // namespace
 
 Groups keyGroups() {
   return kGroupTextureMatrix | kGroupCurrentOther | kGroupArrays | kGroupLighting | kGroupTextures |
          kGroupFog | kGroupPoints | kGroupClipPlanes | kGroupAlphaTest | kGroupFramebuffer |
-         kGroupFragmentOps | kGroupPrimitive;
+         kGroupFragmentOps | kGroupPrimitive | kGroupPalette;
 }
 
 FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
@@ -218,6 +231,7 @@ VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, co
   translatePoints(state, fragment, profile, key);
   for (int u = 0; u < kMaxTextureUnits; ++u)
     translateUnit(state, u, fragment.units[u].coordinate, key.units[u]);
+  translatePalette(state, key);
   reduce(key);
   return key;
 }

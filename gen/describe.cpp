@@ -79,6 +79,9 @@ void visitVertex(Key& key, Visit visit) {
   number("point-round", key.pointRound, 1);
   words("point-shape", key.pointShape, kPointShapeWords);
   number("point-fade", key.pointFade, 1);
+  number("palette", key.palette, kMaxVertexUnits);
+  number("palette-w", key.paletteW, 1);
+  number("palette-normals", key.paletteNormals, 1);
   number("own-values", key.ownValues, 1);
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     words("out", key.units[u].output, Words(kCoordinateWords).first(5), u);
@@ -308,8 +311,9 @@ bool fetchSuits(Attribute attribute, Fetch fetch) {
     case kPointSize:
       return fetch == Fetch::Fixed;
     case kMatrixIndex:
+      return fetch == Fetch::Uint;
     case kWeight:
-      return false;
+      return fetch == Fetch::Fixed;
     default:
       return oneOf(fetch, {Fetch::Fixed, Fetch::FixedW1, Fetch::Int, Fetch::IntW1});
   }

@@ -2,6 +2,7 @@
 #include "gen/emit.h"
 #include "gen/gen.h"
 #include "gen/layout.h"
+#include "gen/palette.h"
 #include "gen/reduce.h"
 
 namespace anteroom::gen {
@@ -22,6 +23,10 @@ AttributeNames attributeNames(int attribute) {
       return {"color", "", "vec4"};
     case kPointSize:
       return {"size", ".x", "float"};
+    case kMatrixIndex:
+      return {"index", "", "uvec4"};
+    case kWeight:
+      return {"weight", "", "vec4"};
     default:
       return {fmt::format("coord{}", attribute - kTexCoord0), "", "vec4"};
   }
@@ -54,12 +59,11 @@ void fetchAttributes(const VertexKey& key, Shader& shader) {
     const Fetch fetch = key.fetch[a];
     if (!isArray(fetch)) continue;
     const auto [name, swizzle, type] = attributeNames(a);
-    if (fetch == Fetch::Float) {
+    if (fetch == Fetch::Float || fetch == Fetch::Uint) {
       shader.declareLine("layout(location = {}) in {} {};", a, type, name);
       continue;
     }
-    shader.declareLine("layout(location = {}) in {} {}Array;", a, fetch == Fetch::Uint ? "uvec4" : "ivec4",
-                       name);
+    shader.declareLine("layout(location = {}) in ivec4 {}Array;", a, name);
     const std::string_view convert = conversion(fetch);
     if (convert != "vec4") shader.call(convert);
     shader.line("{} {} = {}({}Array){};", type, name, convert, name, swizzle);
@@ -224,7 +228,8 @@ void writePointSize(const VertexKey& key, Shader& shader) {
 }
 
 void writeClipDistances(const VertexKey& key, Shader& shader) {
-  const auto distance = [](int i) { return fmt::format("dot(clipPlane{}, position)", i); };
+  const char* point = key.palette ? "eye" : "position";
+  const auto distance = [&](int i) { return fmt::format("dot(clipPlane{}, {})", i, point); };
   if (!key.clipVaryings) {
     for (int i = 0; i < key.clipPlanes; ++i) shader.line("gl_ClipDistance[{}] = {};", i, distance(i));
     return;
@@ -248,17 +253,45 @@ void declarePosition(const VertexKey& key, Shader& shader) {
   shader.declareLine("out gl_PerVertex {{\n{}}};\ninvariant gl_Position;", members);
 }
 
+// "weight.x * matrices[slot.x] + ...": a term for each weight.
+std::string blended(const VertexKey& key, std::string_view matrices) {
+  std::string sum;
+  for (int i = 0; i < key.palette; ++i)
+    sum += fmt::format("{}weight.{} * {}[slot.{}]", i ? " + " : "", "xyzw"[i], matrices, "xyzw"[i]);
+  return sum;
+}
+
+// OES_matrix_palette. Indices beyond the palette name its last matrix.
+void writeSkin(const VertexKey& key, Shader& shader) {
+  shader.line("uvec4 slot = min(index, {}u);", kPaletteMatrices - 1);
+  shader.line("{} skin = {};", paletteType(key), blended(key, "palette"));
+  if (key.paletteW) {
+    shader.line("vec4 eye = position * skin;");
+  } else {
+    std::string weights = "weight.x";
+    for (int i = 1; i < key.palette; ++i) weights += fmt::format(" + weight.{}", "xyzw"[i]);
+    shader.line("vec4 eye = vec4(position * skin, position.w * ({}));", weights);
+  }
+}
+
+void writePosition(const VertexKey& key, Shader& shader) {
+  if (key.palette) writeSkin(key, shader);
+  shader.line("gl_Position = {};", key.palette ? "projection * eye" : "modelviewProjection * position");
+}
+
 void writeEye(const VertexKey& key, Shader& shader) {
   if (needsEye(key)) {
-    shader.line("vec4 eye = modelview * position;");
+    if (!key.palette) shader.line("vec4 eye = modelview * position;");
     shader.line("vec3 point = {}(eye);", shader.call("eyePoint"));
   }
-  if (isArray(key.fetch[kNormal])) {
-    if (key.normalize)
-      shader.line("vec3 eyeNormal = {}(normalMatrix * normal);", shader.call("safeNormalize"));
-    else
-      shader.line("vec3 eyeNormal = normalMatrix * normal;");
-  }
+  if (!needsNormal(key) || (key.fetch[kNormal] == Fetch::Constant && !key.palette)) return;
+  std::string normal = "normalMatrix * normal";
+  if (key.paletteNormals)
+    normal = fmt::format("({}) * normal", blended(key, "paletteNormals"));
+  else if (key.palette)
+    normal = "normal * mat3(skin)";
+  if (key.normalize) normal = fmt::format("{}({})", shader.call("safeNormalize"), normal);
+  shader.line("vec3 eyeNormal = {};", normal);
 }
 
 void writeFogDepth(const VertexKey& key, Shader& shader) {
@@ -266,6 +299,8 @@ void writeFogDepth(const VertexKey& key, Shader& shader) {
   shader.declareLine("layout(location = {}) out float fogDepth;", kFogDepthLocation);
   if (needsEye(key))
     shader.line("fogDepth = point.z;");
+  else if (key.palette)
+    shader.line("fogDepth = {}(eye.zw);", shader.call("dividedDepth"));
   else if (key.fogW)
     shader.line("fogDepth = {}(position * eyeDepth);", shader.call("dividedDepth"));
   else
@@ -278,9 +313,10 @@ std::string emitVertex(const VertexKey& key) {
   Shader shader(describe(key));
   shader.declare(declarePush(key));
   shader.declare(declareVertexConstants(key));
+  shader.declare(declarePalette(key));
   fetchAttributes(key, shader);
   declarePosition(key, shader);
-  shader.line("gl_Position = modelviewProjection * position;");
+  writePosition(key, shader);
   writeEye(key, shader);
   writeColor(key, shader);
   writeFogDepth(key, shader);

@@ -56,7 +56,8 @@ void warmCompiler();
 // Set 0, binding 0: the vertex constants. Set 1, binding u: the texture of unit u, only the units that the
 // fragment key samples. Set 2, binding 0: the fragment constants. Constants are uniform buffers with dynamic
 // offsets, each in a set of its own: drivers that look at sets stage by stage leave the other stage alone
-// when one changes. Push constants: vertex stage only, from byte 0.
+// when one changes. Set 3, binding 0: the matrix palette, vertex stage, a uniform buffer like set 0's. Push
+// constants: vertex stage only, from byte 0.
 
 // Images: a sampled texel has 0 for a color and 1 for an alpha that its base format has not (table 3.9):
 // ALPHA reads as (0, 0, 0, A), LUMINANCE as (L, L, L, 1), LUMINANCE_ALPHA as (L, L, L, A), RGB as (R, G, B,
@@ -89,9 +90,11 @@ struct Blocks {
   uint32_t pushSize = 0;
   uint32_t vertexSize = 0;
   uint32_t fragmentSize = 0;
+  uint32_t paletteSize = 0;
   Groups pushGroups = 0;
   Groups vertexGroups = 0;
   Groups fragmentGroups = 0;
+  Groups paletteGroups = 0;
 };
 Blocks blocks(const VertexKey& vertex, const FragmentKey& fragment);
 
@@ -100,5 +103,6 @@ Blocks blocks(const VertexKey& vertex, const FragmentKey& fragment);
 void packPush(const VertexKey& key, const State& state, std::byte* out);
 void packVertex(const VertexKey& key, const State& state, std::byte* out);
 void packFragment(const FragmentKey& key, const State& state, std::byte* out);
+void packPalette(const VertexKey& key, const State& state, std::byte* out);
 
 }  // namespace anteroom::gen

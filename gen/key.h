@@ -151,6 +151,9 @@ struct VertexKey {
   uint8_t pointRound;        // 0, 1: to whole pixels (section 3.3.1)
   PointShape pointShape;     // not Square: the fragment stage gets the diameter
   uint8_t pointFade;         // 0, 1: points are no smaller than the fade threshold, and fade instead
+  uint8_t palette;           // 0-4: the weights of a vertex; 0: no matrix palette
+  uint8_t paletteW;          // 0, 1: its matrices have a last row other than (0, 0, 0, 1)
+  uint8_t paletteNormals;    // 0, 1: it has matrices for normals; otherwise its own, which are orthogonal, do
   // 0, 1: what would be push constants comes with each vertex. Canonicalise never says so: it is the
   // renderer's choice.
   uint8_t ownValues;
@@ -161,7 +164,7 @@ static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_cop
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
 static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 9);
-static_assert(sizeof(VertexKey) == kAttributeCount + 21 + 4 * kMaxTextureUnits);
+static_assert(sizeof(VertexKey) == kAttributeCount + 24 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {
   return !std::memcmp(&a, &b, sizeof a);

@@ -11,6 +11,7 @@
 
 #include "gen/combiner.h"
 #include "gen/gen.h"
+#include "gen/palette.h"
 #include "gen/reduce.h"
 #include "gen/values.h"
 
@@ -88,12 +89,13 @@ Placement place(const VertexKey& key) {
     if (yes) used += size;
     return yes;
   };
-  const bool eye = needsEye(key);
+  const bool eye = needsEye(key) && !key.palette;
   p.color = key.fetch[kColor] == Fetch::Constant && fits(16);
-  p.eyeDepth = key.fog && !eye && fits(key.fogW ? 32 : 16);
+  p.eyeDepth = key.fog && !eye && !key.palette && fits(key.fogW ? 32 : 16);
   p.modelviewInPush = eye && fits(64);
   p.modelviewInBlock = eye && !p.modelviewInPush;
-  const bool normal = key.fetch[kNormal] != Fetch::Unread && key.fetch[kNormal] != Fetch::Constant;
+  const bool normal =
+      key.fetch[kNormal] != Fetch::Unread && key.fetch[kNormal] != Fetch::Constant && !key.palette;
   p.normalInPush = normal && fits(48);
   p.normalInBlock = normal && !p.normalInPush;
   return p;
@@ -112,8 +114,12 @@ constexpr Member kNormalMatrix{Type::Mat3,
 template <class Visit>
 void visitPush(const VertexKey& key, Visit visit) {
   const Placement p = place(key);
-  visit({Type::Mat4, "modelviewProjection", -1, "", kGroupModelview | kGroupProjection,
-         [](const State& s, int, float* out) { put(out, modelviewProjection(s)); }});
+  if (key.palette)
+    visit({Type::Mat4, "projection", -1, "", kGroupProjection,
+           [](const State& s, int, float* out) { put(out, clipProjection(s)); }});
+  else
+    visit({Type::Mat4, "modelviewProjection", -1, "", kGroupModelview | kGroupProjection,
+           [](const State& s, int, float* out) { put(out, modelviewProjection(s)); }});
   if (p.color && key.color == VertexColor::Unlit)
     visit({Type::Vec4, "color", -1, "", kGroupCurrentColor, [](const State& s, int, float* out) {
              for (int i = 0; i < 4; ++i) out[i] = clampUnit(s.attributes[kColor].current[i]);
@@ -267,6 +273,20 @@ void visitPoints(const VertexKey& key, Visit visit) {
            [](const State& s, int, float* out) { put(out, glm::dvec3(s.points.distanceAttenuation)); }});
 }
 
+// The shader multiplies them with what it has: eye coordinates with a palette, those of the object without.
+Member clipPlane(const VertexKey& key, int plane) {
+  if (key.palette)
+    return {Type::Vec4, "clipPlane", plane, "", kGroupClipPlanes, [](const State& s, int n, float* out) {
+              put(out, eyePlane(enabledPlane(s, n)));
+            }};
+  return {Type::Vec4,
+          "clipPlane",
+          plane,
+          "",
+          kGroupClipPlanes | kGroupModelview,
+          [](const State& s, int n, float* out) { put(out, objectPlane(s, enabledPlane(s, n))); }};
+}
+
 template <class Visit>
 void visitVertex(const VertexKey& key, Visit visit) {
   const Placement p = place(key);
@@ -275,14 +295,15 @@ void visitVertex(const VertexKey& key, Visit visit) {
   if (key.fetch[kPosition] == Fetch::Constant)
     visit({Type::Vec4, "position", -1, "", kGroupCurrentOther | kGroupArrays,
            [](const State& s, int, float* out) { put(out, glm::dvec4(s.attributes[kPosition].current)); }});
-  if (key.fetch[kNormal] == Fetch::Constant)
+  if (key.fetch[kNormal] == Fetch::Constant && key.palette)
+    visit({Type::Vec3, "normal", -1, "", kGroupCurrentOther,
+           [](const State& s, int, float* out) { put(out, glm::dvec3(s.attributes[kNormal].current)); }});
+  else if (key.fetch[kNormal] == Fetch::Constant)
     visit({Type::Vec3, "eyeNormal", -1, "", kGroupModelview | kGroupCurrentOther | kGroupLighting,
            [](const State& s, int, float* out) { put(out, currentEyeNormal(s)); }});
   if (key.color == VertexColor::Lit) visitScene(key, visit);
   for (int i = 0; i < key.lights; ++i) visitLight(key, i, visit);
-  for (int i = 0; i < key.clipPlanes; ++i)
-    visit({Type::Vec4, "clipPlane", i, "", kGroupClipPlanes | kGroupModelview,
-           [](const State& s, int n, float* out) { put(out, objectPlane(s, enabledPlane(s, n))); }});
+  for (int i = 0; i < key.clipPlanes; ++i) visit(clipPlane(key, i));
   visitUnits(key, visit);
   visitPoints(key, visit);
 }
@@ -431,8 +452,8 @@ Blocks blocks(const VertexKey& vertex, const FragmentKey& fragment) {
   visitPush(vertex, [&](const Member& m) { push(m); });
   visitVertex(vertex, [&](const Member& m) { vertexBlock(m); });
   visitFragment(fragment, [&](const Member& m) { fragmentBlock(m); });
-  return {push.total(), vertexBlock.total(), fragmentBlock.total(),
-          push.groups,  vertexBlock.groups,  fragmentBlock.groups};
+  return {push.total(), vertexBlock.total(), fragmentBlock.total(), paletteSize(vertex),
+          push.groups,  vertexBlock.groups,  fragmentBlock.groups,  paletteGroups(vertex)};
 }
 
 void packPush(const VertexKey& key, const State& state, std::byte* out) {

@@ -1,5 +1,5 @@
 // The constant blocks: which members a key's shader has, in GLSL and as bytes. layout.cpp is the only place
-// that knows; blocks() and pack* of gen/gen.h are implemented by it.
+// that knows, but for the palette's (gen/palette.h); blocks() and pack* of gen/gen.h are implemented by it.
 #pragma once
 
 #include <string>

@@ -81,6 +81,18 @@ void reduceUnit(VertexUnit& unit, Fetch& fetch) {
   if (fetch == Fetch::Float) unit.q1 = 1;
 }
 
+// Without indices and weights there is no palette, and without a palette nobody reads them.
+void reducePalette(VertexKey& key) {
+  const Fetch weight = key.fetch[kWeight];
+  if (key.fetch[kMatrixIndex] != Fetch::Uint || weight == Fetch::Unread || weight == Fetch::Constant)
+    key.palette = 0;
+  if (!key.palette) {
+    key.fetch[kMatrixIndex] = key.fetch[kWeight] = Fetch::Unread;
+    key.paletteW = key.paletteNormals = 0;
+  }
+  if (!needsNormal(key)) key.paletteNormals = 0;
+}
+
 }  // namespace
 
 bool readsPrimaryColor(const FragmentKey& key) {
@@ -140,8 +152,11 @@ void reduce(VertexKey& key) {
   if (key.color == VertexColor::None || (key.color == VertexColor::Lit && !key.colorMaterial))
     key.fetch[kColor] = Fetch::Unread;
   if (!needsNormal(key)) key.fetch[kNormal] = Fetch::Unread;
-  // A constant normal is transformed, and normalised, with the constants.
-  if (key.fetch[kNormal] == Fetch::Unread || key.fetch[kNormal] == Fetch::Constant) key.normalize = 0;
+  reducePalette(key);
+  // A constant normal is transformed, and normalised, with the constants, unless each vertex has its
+  // matrices.
+  const bool constant = key.fetch[kNormal] == Fetch::Constant && !key.palette;
+  if (key.fetch[kNormal] == Fetch::Unread || constant) key.normalize = 0;
 
   if (key.pointSize == PointSize::None) {
     key.pointShape = PointShape::Square;
@@ -151,9 +166,8 @@ void reduce(VertexKey& key) {
     key.pointAttenuation = key.pointRound = 0;
     key.fetch[kPointSize] = Fetch::Unread;
   }
-  if (!key.fog || needsEye(key)) key.fogW = 0;
+  if (!key.fog || needsEye(key) || key.palette) key.fogW = 0;
   if (key.clipPlanes == 0) key.clipVaryings = 0;
-  key.fetch[kMatrixIndex] = key.fetch[kWeight] = Fetch::Unread;
 }
 
 }  // namespace anteroom::gen

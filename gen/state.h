@@ -21,6 +21,8 @@ namespace anteroom::gen {
 inline constexpr int kMaxTextureUnits = 8;
 inline constexpr int kMaxLights = 8;
 inline constexpr int kMaxClipPlanes = 8;
+inline constexpr int kPaletteMatrices = 64;
+inline constexpr int kMaxVertexUnits = 4;
 
 // Groups of state that change together. A command marks the groups that it changed; nobody looks at a group
 // again until it is marked. The order is of no meaning.
@@ -163,6 +165,12 @@ struct ClipPlane {
   glm::dvec4 equation{0, 0, 0, 0};  // eye coordinates (section 2.11)
 };
 
+// OES_matrix_palette: from object to eye coordinates, as the modelview matrix.
+struct Palette {
+  Palette() { matrices.fill(glm::dmat4(1.0)); }
+  std::array<glm::dmat4, kPaletteMatrices> matrices;
+};
+
 enum class PrimitiveClass : uint8_t { Points, Lines, Triangles };
 
 struct State {
@@ -170,6 +178,8 @@ struct State {
   std::array<AttributeState, kAttributeCount> attributes;
   glm::dmat4 modelview{1.0};
   glm::dmat4 projection{1.0};
+  // MATRIX_PALETTE is enabled: what vertices choose from instead of the modelview matrix. Null: it is not.
+  const Palette* palette = nullptr;
   Lighting lighting;
   GLenum shadeModel = GL_SMOOTH;
   std::array<TextureUnit, kMaxTextureUnits> units;

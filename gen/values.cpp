@@ -16,6 +16,12 @@ glm::dvec3 normalizeOrZero(glm::dvec3 v) {
   return v / glm::length(v);
 }
 
+glm::dvec4 largestOne(const glm::dvec4& v) {
+  double largest = 0;
+  for (int i = 0; i < 4; ++i) largest = std::max(largest, std::abs(v[i]));
+  return largest > 0 && std::isfinite(largest) ? v / largest : v;
+}
+
 // Columns such that cofactors(M) * n is n M^-1 times the determinant, also when there is no inverse.
 glm::dmat3 cofactors(const glm::dmat3& m) {
   return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
@@ -32,7 +38,31 @@ bool fitsFloat(const glm::dmat3& m) {
   return largestEntry(m) < 1e37;
 }
 
+// Cofactors / (determinant * scale) is the inverse transpose. The upper matrix is scaled first so that
+// neither product can overflow or vanish when the matrix is far from 1. All 0 for a matrix that is 0 or not
+// finite.
+struct Cofactors {
+  explicit Cofactors(const glm::dmat4& matrix) {
+    const glm::dmat3 upper(matrix);
+    scale = largestEntry(upper);
+    if (!(scale > 0) || !std::isfinite(scale)) return;
+    const glm::dmat3 unit = upper / scale;
+    m = cofactors(unit);
+    determinant = glm::dot(unit[0], m[0]);
+  }
+  double sign() const { return determinant < 0 ? -1 : 1; }
+
+  glm::dmat3 m{0.0};
+  double scale = 0, determinant = 0;
+};
+
 }  // namespace
+
+glm::dmat4 clipProjection(const State& state) {
+  glm::dmat4 m = state.projection;
+  for (int c = 0; c < 4; ++c) m[c][2] = (m[c][2] + m[c][3]) * 0.5;
+  return m;
+}
 
 glm::dmat4 modelviewProjection(const State& state) {
   glm::dmat4 m = state.projection * state.modelview;
@@ -40,26 +70,23 @@ glm::dmat4 modelviewProjection(const State& state) {
   return m;
 }
 
-// cofactors / determinant is the inverse transpose. The upper matrix is scaled first so that neither product
-// can overflow or vanish when the matrix is far from 1.
+glm::dmat3 normalMatrix(const glm::dmat4& matrix, bool rescale) {
+  const Cofactors c(matrix);
+  if (rescale) {                                // f = 1 / |third row of the inverse|
+    const double length = glm::length(c.m[2]);  // this row, times the determinant
+    return length > 0 ? c.m * (c.sign() / length) : c.m;
+  }
+  const glm::dmat3 inverseTranspose = c.m / (c.determinant * c.scale);
+  if (c.determinant != 0 && fitsFloat(inverseTranspose)) return inverseTranspose;
+  const glm::dmat3 own = c.m * c.scale * c.scale;
+  return fitsFloat(own) ? own : c.m;
+}
+
 glm::dmat3 normalMatrix(const State& state) {
-  const glm::dmat3 upper(state.modelview);
-  const double scale = largestEntry(upper);
-  if (!(scale > 0) || !std::isfinite(scale)) return glm::dmat3(0);
-  const glm::dmat3 unit = upper / scale;
-  const glm::dmat3 cofactor = cofactors(unit);
-  const double determinant = glm::dot(unit[0], cofactor[0]);
-  const double sign = determinant < 0 ? -1 : 1;
-  if (state.lighting.normalize) {  // only the direction matters
-    const double largest = largestEntry(cofactor);
-    return largest > 0 ? cofactor * (sign / largest) : cofactor;
-  }
-  if (state.lighting.rescaleNormal) {                // f = 1 / |third row of the inverse|
-    const double length = glm::length(cofactor[2]);  // this row, times the determinant
-    return length > 0 ? cofactor * (sign / length) : cofactor;
-  }
-  const glm::dmat3 inverseTranspose = cofactor / (determinant * scale);
-  return determinant != 0 && fitsFloat(inverseTranspose) ? inverseTranspose : cofactor;
+  if (!state.lighting.normalize) return normalMatrix(state.modelview, state.lighting.rescaleNormal);
+  const Cofactors c(state.modelview);
+  const double largest = largestEntry(c.m);  // only the direction matters
+  return largest > 0 ? c.m * (c.sign() / largest) : c.m;
 }
 
 glm::dvec3 currentEyeNormal(const State& state) {
@@ -67,11 +94,12 @@ glm::dvec3 currentEyeNormal(const State& state) {
   return state.lighting.normalize ? normalizeOrZero(normal) : normal;
 }
 
+glm::dvec4 eyePlane(const ClipPlane& plane) {
+  return largestOne(plane.equation);
+}
+
 glm::dvec4 objectPlane(const State& state, const ClipPlane& plane) {
-  const glm::dvec4 folded = glm::transpose(state.modelview) * plane.equation;
-  double largest = 0;
-  for (int i = 0; i < 4; ++i) largest = std::max(largest, std::abs(folded[i]));
-  return largest > 0 && std::isfinite(largest) ? folded / largest : folded;
+  return largestOne(glm::transpose(state.modelview) * plane.equation);
 }
 
 const ClipPlane& enabledPlane(const State& state, int index) {

@@ -5,15 +5,20 @@
 
 namespace anteroom::gen {
 
-// Clip coordinates with Vulkan's depth range: z' = (z + w) / 2.
+// To clip coordinates with Vulkan's depth range, z' = (z + w) / 2: from eye and from object coordinates.
+glm::dmat4 clipProjection(const State& state);
 glm::dmat4 modelviewProjection(const State& state);
 
-// Eye normals: section 2.10.3 with the rescale factor, finite for every modelview matrix.
+// Eye normals: section 2.10.3 with the rescale factor, finite for every matrix.
+glm::dmat3 normalMatrix(const glm::dmat4& matrix, bool rescale);
+// By the modelview matrix. Under NORMALIZE its length is arbitrary.
 glm::dmat3 normalMatrix(const State& state);
 // The current normal in eye coordinates, normalised if NORMALIZE is enabled.
 glm::dvec3 currentEyeNormal(const State& state);
 
-// A plane in object coordinates, scaled so that its largest coefficient is 1: only signs and ratios matter.
+// A plane in eye and in object coordinates, scaled so that its largest coefficient is 1: only signs and
+// ratios matter.
+glm::dvec4 eyePlane(const ClipPlane& plane);
 glm::dvec4 objectPlane(const State& state, const ClipPlane& plane);
 const ClipPlane& enabledPlane(const State& state, int index);
 

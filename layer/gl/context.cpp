@@ -78,6 +78,8 @@ VertexArrays initialVertexArrays() {
   VertexArrays initial;
   initial.arrays[gen::kNormal].size = 3;
   initial.arrays[gen::kPointSize].size = 1;
+  initial.arrays[gen::kMatrixIndex].size = initial.arrays[gen::kWeight].size = 0;
+  initial.arrays[gen::kMatrixIndex].type = GL_UNSIGNED_BYTE;
   return initial;
 }
 

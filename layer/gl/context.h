@@ -179,6 +179,11 @@ class Context {
   MatrixStack<kProjectionDepth> projectionStack;
   std::array<MatrixStack<kTextureDepth>, gen::kMaxTextureUnits> textureStacks;
 
+  // OES_matrix_palette. state.fixed shows the palette while it is enabled.
+  bool paletteEnabled = false;
+  int currentPaletteMatrix = 0;
+  gen::Palette palette;
+
   // Sections 2.8, 2.9.
   VertexArrays vertexArrays = initialVertexArrays();
   ObjectTable<VertexArrayObject> vertexArrayObjects;

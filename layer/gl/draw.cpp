@@ -25,11 +25,18 @@ GLsizei fewestVertices(GLenum mode) {
   return kFewest[mode];
 }
 
+// Whether there are vertices, and, for a matrix palette, what they choose from it.
+bool hasArrays(const gen::State& state) {
+  const auto& attributes = state.attributes;
+  if (!attributes[gen::kPosition].array) return false;
+  return !state.palette || (attributes[gen::kMatrixIndex].array && attributes[gen::kWeight].array);
+}
+
 // Under the ShareLock; everything has been validated.
 void draw(Context& c, const render::DrawCall& call) {
   if (readsMappedBuffer(c, call.indexType != 0)) return c.setError(GL_INVALID_OPERATION);
   prepareDraw(c);
-  if (c.state.fixed.attributes[gen::kPosition].array) submitDraw(c, call);
+  if (hasArrays(c.state.fixed)) submitDraw(c, call);
 }
 
 size_t indexSize(GLenum type) {

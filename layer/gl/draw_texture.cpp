@@ -81,6 +81,7 @@ void drawBox(Context& c, const Box& box) {
   state.fixed.modelview = state.fixed.projection = glm::dmat4(1.0);
   const double z = box.z > 0 ? (box.z < 1 ? box.z : 1) : 0;
   state.fixed.projection[3][2] = 2 * z - 1;
+  state.fixed.palette = nullptr;
   state.fixed.lighting.enabled = false;
   for (gen::ClipPlane& plane : state.fixed.clipPlanes) plane.enabled = false;
   state.raster.cullFace = state.raster.polygonOffsetFill = false;

@@ -26,6 +26,8 @@ Capability capabilityOf(Context& c, GLenum name) {
       return {&lighting.colorMaterial, gen::kGroupLighting};
     case GL_NORMALIZE:
       return {&lighting.normalize, gen::kGroupLighting};
+    case GL_MATRIX_PALETTE_OES:
+      return {&c.paletteEnabled, gen::kGroupPalette};
     case GL_RESCALE_NORMAL:
       return {&lighting.rescaleNormal, gen::kGroupLighting};
     case GL_TEXTURE_2D:
@@ -102,6 +104,7 @@ void setCapability(GLenum name, bool enable) {
     gen::Material& material = c->state.fixed.lighting.material;
     material.ambient = material.diffuse = c->state.fixed.attributes[gen::kColor].current;
   }
+  if (name == GL_MATRIX_PALETTE_OES) c->state.fixed.palette = enable ? &c->palette : nullptr;
   if (name == GL_MULTISAMPLE || name == GL_SAMPLE_ALPHA_TO_ONE) updateMultisample(*c);
 }
 

@@ -1,5 +1,5 @@
-// Section 2.10.2: the matrix stacks. Everything is float64; a matrix is rounded when a shader or a query
-// reads it.
+// Section 2.10.2: the matrix stacks, and OES_matrix_palette. Everything is float64; a matrix is rounded when
+// a shader or a query reads it.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -13,12 +13,15 @@ namespace {
 
 gen::Groups groupOf(GLenum mode) {
   if (mode == GL_MODELVIEW) return gen::kGroupModelview;
-  return mode == GL_PROJECTION ? gen::kGroupProjection : gen::kGroupTextureMatrix;
+  if (mode == GL_PROJECTION) return gen::kGroupProjection;
+  return mode == GL_TEXTURE ? gen::kGroupTextureMatrix : gen::kGroupPalette;
 }
 
 glm::dmat4& currentMatrix(Context& c) {
   if (c.matrixMode == GL_MODELVIEW) return c.state.fixed.modelview;
   if (c.matrixMode == GL_PROJECTION) return c.state.fixed.projection;
+  if (c.matrixMode == GL_MATRIX_PALETTE_OES)
+    return c.palette.matrices[static_cast<size_t>(c.currentPaletteMatrix)];
   return c.state.fixed.units[c.activeTexture].matrix;
 }
 
@@ -139,7 +142,7 @@ void pop(Context& c, MatrixStack<Depth>& stack) {
 GL_API void GL_APIENTRY glMatrixMode(GLenum mode) {
   Context* c = current();
   if (!c) return;
-  if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE)
+  if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE && mode != GL_MATRIX_PALETTE_OES)
     return c->setError(GL_INVALID_ENUM);
   c->matrixMode = mode;
 }
@@ -210,6 +213,7 @@ GL_API void GL_APIENTRY glPushMatrix(void) {
   if (!c) return;
   if (c->matrixMode == GL_MODELVIEW) return push(*c, c->modelviewStack);
   if (c->matrixMode == GL_PROJECTION) return push(*c, c->projectionStack);
+  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_OVERFLOW);  // it has no stack
   push(*c, c->textureStacks[c->activeTexture]);
 }
 
@@ -218,7 +222,22 @@ GL_API void GL_APIENTRY glPopMatrix(void) {
   if (!c) return;
   if (c->matrixMode == GL_MODELVIEW) return pop(*c, c->modelviewStack);
   if (c->matrixMode == GL_PROJECTION) return pop(*c, c->projectionStack);
+  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_UNDERFLOW);
   pop(*c, c->textureStacks[c->activeTexture]);
+}
+
+GL_API void GL_APIENTRY glCurrentPaletteMatrixOES(GLuint index) {
+  Context* c = current();
+  if (!c) return;
+  if (index >= gen::kPaletteMatrices) return c->setError(GL_INVALID_VALUE);
+  c->currentPaletteMatrix = static_cast<int>(index);
+}
+
+GL_API void GL_APIENTRY glLoadPaletteFromModelViewMatrixOES(void) {
+  Context* c = current();
+  if (!c) return;
+  glm::dmat4& matrix = c->palette.matrices[static_cast<size_t>(c->currentPaletteMatrix)];
+  c->set(matrix, c->state.fixed.modelview, gen::kGroupPalette);
 }
 
 // OES_query_matrix: element i is mantissa[i] / 65536 * 2^exponent[i].

@@ -89,6 +89,30 @@ bool getArrays(Context& c, GLenum name, Results& results) {
     case GL_POINT_SIZE_ARRAY_BUFFER_BINDING_OES:
       results.integer(nameOf(arrays[gen::kPointSize].buffer));
       break;
+    case GL_MATRIX_INDEX_ARRAY_SIZE_OES:
+      results.integer(arrays[gen::kMatrixIndex].size);
+      break;
+    case GL_MATRIX_INDEX_ARRAY_TYPE_OES:
+      results.enumerant(arrays[gen::kMatrixIndex].type);
+      break;
+    case GL_MATRIX_INDEX_ARRAY_STRIDE_OES:
+      results.integer(arrays[gen::kMatrixIndex].stride);
+      break;
+    case GL_MATRIX_INDEX_ARRAY_BUFFER_BINDING_OES:
+      results.integer(nameOf(arrays[gen::kMatrixIndex].buffer));
+      break;
+    case GL_WEIGHT_ARRAY_SIZE_OES:
+      results.integer(arrays[gen::kWeight].size);
+      break;
+    case GL_WEIGHT_ARRAY_TYPE_OES:
+      results.enumerant(arrays[gen::kWeight].type);
+      break;
+    case GL_WEIGHT_ARRAY_STRIDE_OES:
+      results.integer(arrays[gen::kWeight].stride);
+      break;
+    case GL_WEIGHT_ARRAY_BUFFER_BINDING_OES:
+      results.integer(nameOf(arrays[gen::kWeight].buffer));
+      break;
     case GL_TEXTURE_COORD_ARRAY_SIZE:
       results.integer(texCoords.size);
       break;
@@ -167,6 +191,9 @@ bool getTransformation(Context& c, GLenum name, Results& results) {
       break;
     case GL_MATRIX_MODE:
       results.enumerant(c.matrixMode);
+      break;
+    case GL_CURRENT_PALETTE_MATRIX_OES:
+      results.integer(c.currentPaletteMatrix);
       break;
     default:
       return false;
@@ -375,6 +402,12 @@ bool getLimits(Context& c, GLenum name, Results& results) {
     case GL_MAX_TEXTURE_STACK_DEPTH:
       results.integer(kTextureDepth);
       break;
+    case GL_MAX_PALETTE_MATRICES_OES:
+      results.integer(gen::kPaletteMatrices);
+      break;
+    case GL_MAX_VERTEX_UNITS_OES:
+      results.integer(gen::kMaxVertexUnits);
+      break;
     case GL_SUBPIXEL_BITS:
       results.integer(caps.subpixelBits);
       break;
@@ -526,6 +559,12 @@ GL_API void GL_APIENTRY glGetPointerv(GLenum name, void** params) {
       break;
     case GL_POINT_SIZE_ARRAY_POINTER_OES:
       index = gen::kPointSize;
+      break;
+    case GL_MATRIX_INDEX_ARRAY_POINTER_OES:
+      index = gen::kMatrixIndex;
+      break;
+    case GL_WEIGHT_ARRAY_POINTER_OES:
+      index = gen::kWeight;
       break;
     case GL_TEXTURE_COORD_ARRAY_POINTER:
       index = gen::texCoord(c->clientActiveTexture);

@@ -32,6 +32,12 @@ bool attributeOf(const Context& c, GLenum array, gen::Attribute& attribute) {
     case GL_POINT_SIZE_ARRAY_OES:
       attribute = gen::kPointSize;
       return true;
+    case GL_MATRIX_INDEX_ARRAY_OES:
+      attribute = gen::kMatrixIndex;
+      return true;
+    case GL_WEIGHT_ARRAY_OES:
+      attribute = gen::kWeight;
+      return true;
     case GL_TEXTURE_COORD_ARRAY:
       attribute = gen::texCoord(c.clientActiveTexture);
       return true;
@@ -105,11 +111,13 @@ struct Allowed {
   unsigned types;
 };
 
-// Table 2.4.
+// Table 2.4, and OES_matrix_palette's addition to it.
 constexpr Allowed kVertex{2, 4, kByte | kShort | kFixed | kFloat};
 constexpr Allowed kNormals{3, 3, kByte | kShort | kFixed | kFloat};
 constexpr Allowed kColors{4, 4, kUnsignedByte | kFixed | kFloat};
 constexpr Allowed kPointSizes{1, 1, kFixed | kFloat};
+constexpr Allowed kMatrixIndices{1, gen::kMaxVertexUnits, kUnsignedByte};
+constexpr Allowed kWeights{1, gen::kMaxVertexUnits, kFixed | kFloat};
 
 void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum type, GLsizei stride,
              const void* pointer) {
@@ -159,6 +167,15 @@ GL_API void GL_APIENTRY glColorPointer(GLint size, GLenum type, GLsizei stride, 
 
 GL_API void GL_APIENTRY glPointSizePointerOES(GLenum type, GLsizei stride, const void* pointer) {
   if (Context* c = current()) specify(*c, gen::kPointSize, kPointSizes, 1, type, stride, pointer);
+}
+
+GL_API void GL_APIENTRY glMatrixIndexPointerOES(GLint size, GLenum type, GLsizei stride,
+                                                const void* pointer) {
+  if (Context* c = current()) specify(*c, gen::kMatrixIndex, kMatrixIndices, size, type, stride, pointer);
+}
+
+GL_API void GL_APIENTRY glWeightPointerOES(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+  if (Context* c = current()) specify(*c, gen::kWeight, kWeights, size, type, stride, pointer);
 }
 
 GL_API void GL_APIENTRY glTexCoordPointer(GLint size, GLenum type, GLsizei stride, const void* pointer) {

@@ -55,7 +55,7 @@ class VulkanContext final : public render::Context {
     VkDeviceSize indexOffset = 0;
     VkIndexType indexType = VK_INDEX_TYPE_MAX_ENUM;
     uint32_t pushed = 0;  // bytes of push constants that are valid
-    BoundSet vertexConstants, fragmentConstants;
+    BoundSet vertexConstants, fragmentConstants, paletteConstants;
     uint32_t textures = 0;  // units
     std::array<VkImageView, gen::kMaxTextureUnits> views{};
     std::array<VkSampler, gen::kMaxTextureUnits> samplers{};
@@ -174,6 +174,7 @@ class VulkanContext final : public render::Context {
   gen::Blocks blocks_;
   uint32_t units_ = 0;  // sampled
   bool arraysStale_ = true, pushStale_ = true, vertexStale_ = true, fragmentStale_ = true;
+  bool paletteStale_ = true;
   ArrayShapes shapes_{};
   Batch batch_;
   const bool carriesValues_;  // the device takes so many vertex inputs
@@ -185,7 +186,7 @@ class VulkanContext final : public render::Context {
   PipelineKey pipelineKey_;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
   alignas(16) std::array<std::byte, kPushRange> push_{};
-  Constants vertexConstants_, fragmentConstants_;
+  Constants vertexConstants_, fragmentConstants_, paletteConstants_;
   std::array<VkImageView, gen::kMaxTextureUnits> views_{};
   std::array<VkSampler, gen::kMaxTextureUnits> samplers_{};
   std::array<VulkanImage*, gen::kMaxTextureUnits> sampled_{};

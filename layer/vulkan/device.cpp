@@ -152,8 +152,10 @@ bool VulkanDevice::createLayouts() {
 
   const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, kPushRange};
   VkPipelineLayoutCreateInfo layout{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
-  layout.setLayoutCount = 3;
-  layout.pSetLayouts = setLayouts_;
+  // The palette lies in buffers of vertex constants, too.
+  const VkDescriptorSetLayout sets[4] = {setLayouts_[0], setLayouts_[1], setLayouts_[2], setLayouts_[0]};
+  layout.setLayoutCount = 4;
+  layout.pSetLayouts = sets;
   layout.pushConstantRangeCount = 1;
   layout.pPushConstantRanges = &push;
   for (int i = 0; i < 4; ++i) countObject();

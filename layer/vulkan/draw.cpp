@@ -72,12 +72,13 @@ bool VulkanContext::takeKeys(render::State& state) {
   if (newVertex) {
     vertexKey_ = vertex;
     vertexShader_ = device_.shaders().get(vertex);
-    arraysStale_ = pushStale_ = vertexStale_ = true;
+    arraysStale_ = pushStale_ = vertexStale_ = paletteStale_ = true;
   }
   blocks_ = gen::blocks(vertexKey_, fragmentKey_);
   pipeline_ = VK_NULL_HANDLE;
   return vertexShader_ && fragmentShader_ && blocks_.pushSize <= kPushRange &&
-         blocks_.vertexSize <= kConstantRange && blocks_.fragmentSize <= kConstantRange;
+         blocks_.vertexSize <= kConstantRange && blocks_.fragmentSize <= kConstantRange &&
+         blocks_.paletteSize <= kConstantRange;
 }
 
 void VulkanContext::takeDrawState(const render::State& state) {
@@ -132,12 +133,16 @@ bool VulkanContext::packConstants(const render::State& state) {
   }
   const bool vertex = vertexStale_ || stale_ & blocks_.vertexGroups;
   const bool fragment = fragmentStale_ || stale_ & blocks_.fragmentGroups;
+  const bool palette = paletteStale_ || stale_ & blocks_.paletteGroups;
   if (vertex && blocks_.vertexSize) gen::packVertex(vertexKey_, state.fixed, vertexConstants_.data.data());
   if (fragment && blocks_.fragmentSize)
     gen::packFragment(fragmentKey_, state.fixed, fragmentConstants_.data.data());
-  vertexStale_ = fragmentStale_ = false;
+  if (palette && blocks_.paletteSize)
+    gen::packPalette(vertexKey_, state.fixed, paletteConstants_.data.data());
+  vertexStale_ = fragmentStale_ = paletteStale_ = false;
   return pack(vertexConstants_, blocks_.vertexSize, vertex) &&
-         pack(fragmentConstants_, blocks_.fragmentSize, fragment);
+         pack(fragmentConstants_, blocks_.fragmentSize, fragment) &&
+         pack(paletteConstants_, blocks_.paletteSize, palette);
 }
 
 // Brings a block into the stream, when it is new or this recording has not got it yet.
@@ -383,6 +388,8 @@ void VulkanContext::bindConstants(VkCommandBuffer commands) {
     bindBlock(0, vertexConstants_.piece.constants.vertex, vertexConstants_, bound_.vertexConstants);
   if (blocks_.fragmentSize)
     bindBlock(2, fragmentConstants_.piece.constants.fragment, fragmentConstants_, bound_.fragmentConstants);
+  if (blocks_.paletteSize)
+    bindBlock(3, paletteConstants_.piece.constants.vertex, paletteConstants_, bound_.paletteConstants);
 }
 
 bool VulkanContext::bindTextures(VkCommandBuffer commands) {

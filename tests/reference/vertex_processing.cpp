@@ -77,6 +77,19 @@ double component(GLenum type, const std::byte* at, bool normalised) {
   }
 }
 
+// Section 2.10.3. Of a singular matrix the cofactors give the direction, which is all that NORMALIZE needs.
+glm::dmat3 normalMatrix(const glm::dmat4& matrix, bool rescale) {
+  const glm::dmat3 m(matrix);
+  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  const double determinant = glm::dot(m[0], cofactors[0]);
+  const bool invertible = std::isnormal(determinant) && std::isfinite(1 / determinant);
+  const glm::dmat3 result = invertible ? cofactors * (1 / determinant) : cofactors;
+  if (!rescale) return result;
+  // The third row of the inverse is the third column of its transpose.
+  const double length = glm::length(result[2]);
+  return length > 0 && std::isfinite(1 / length) ? result * (1 / length) : result;
+}
+
 // NaN becomes 0.
 glm::dvec4 clampColor(const glm::dvec4& c) {
   glm::dvec4 result;
@@ -100,18 +113,12 @@ Vertex mix(const Vertex& a, const Vertex& b, double t) {
   return result;
 }
 
-// Section 2.10.3. Of a singular matrix the cofactors give the direction, which is all that NORMALIZE needs.
 VertexStage::VertexStage(const render::State& state) : state_(state) {
-  const glm::dmat3 m(state.fixed.modelview);
-  const glm::dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  const double determinant = glm::dot(m[0], cofactors[0]);
-  const bool invertible = std::isnormal(determinant) && std::isfinite(1 / determinant);
-  normalMatrix_ = invertible ? cofactors * (1 / determinant) : cofactors;
-  if (state.fixed.lighting.rescaleNormal) {
-    // The third row of the inverse is the third column of its transpose.
-    const double length = glm::length(normalMatrix_[2]);
-    if (length > 0 && std::isfinite(1 / length)) rescale_ = 1 / length;
-  }
+  const bool rescale = state.fixed.lighting.rescaleNormal;
+  normalMatrix_ = normalMatrix(state.fixed.modelview, rescale);
+  if (!state.fixed.palette) return;
+  for (const glm::dmat4& matrix : state.fixed.palette->matrices)
+    paletteNormals_.push_back(normalMatrix(matrix, rescale));
 }
 
 glm::dvec4 VertexStage::attribute(gen::Attribute which, int64_t index) const {
@@ -137,8 +144,33 @@ glm::dvec4 VertexStage::attribute(gen::Attribute which, int64_t index) const {
   return value;
 }
 
-glm::dvec3 VertexStage::eyeNormal(const glm::dvec3& normal) const {
-  const glm::dvec3 transformed = normalMatrix_ * normal * rescale_;
+// OES_matrix_palette: a vertex's weighted matrices, term by term. Missing weights are 0, and indices beyond
+// the palette name its last matrix.
+template <class Term>
+void VertexStage::blend(int64_t index, Term term) const {
+  const auto& attributes = state_.fixed.attributes;
+  const glm::dvec4 indices = attribute(gen::kMatrixIndex, index), weights = attribute(gen::kWeight, index);
+  const int units = std::min(attributes[gen::kMatrixIndex].size, attributes[gen::kWeight].size);
+  for (int i = 0; i < units; ++i)
+    term(weights[i], std::min(static_cast<size_t>(indices[i]), size_t{gen::kPaletteMatrices - 1}));
+}
+
+glm::dvec4 VertexStage::eyePosition(int64_t index) const {
+  const glm::dvec4 position = attribute(gen::kPosition, index);
+  const gen::Palette* palette = state_.fixed.palette;
+  if (!palette) return state_.fixed.modelview * position;
+  glm::dvec4 sum(0);
+  blend(index, [&](double weight, size_t i) { sum += weight * (palette->matrices[i] * position); });
+  return sum;
+}
+
+glm::dvec3 VertexStage::eyeNormal(int64_t index) const {
+  const glm::dvec3 normal(attribute(gen::kNormal, index));
+  glm::dvec3 transformed(0);
+  if (state_.fixed.palette)
+    blend(index, [&](double weight, size_t i) { transformed += weight * (paletteNormals_[i] * normal); });
+  else
+    transformed = normalMatrix_ * normal;
   return state_.fixed.lighting.normalize ? unit(transformed) : transformed;
 }
 
@@ -199,9 +231,9 @@ glm::dvec4 VertexStage::textureCoordinate(int unitIndex, int64_t index, const gl
 Vertex VertexStage::process(int64_t index) const {
   const gen::State& fixed = state_.fixed;
   Vertex vertex;
-  const glm::dvec4 eye = fixed.modelview * attribute(gen::kPosition, index);
+  const glm::dvec4 eye = eyePosition(index);
   vertex.clip = fixed.projection * eye;
-  const glm::dvec3 normal = eyeNormal(glm::dvec3(attribute(gen::kNormal, index)));
+  const glm::dvec3 normal = eyeNormal(index);
   const glm::dvec4 color = attribute(gen::kColor, index);
   vertex.front = clampColor(fixed.lighting.enabled ? light(eye, normal, color) : color);
   vertex.back = vertex.front;

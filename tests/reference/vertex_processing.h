@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+#include <vector>
 
 #include "layer/render/state.h"
 
@@ -30,14 +32,17 @@ class VertexStage {
 
  private:
   glm::dvec4 attribute(gen::Attribute attribute, int64_t index) const;
-  glm::dvec3 eyeNormal(const glm::dvec3& normal) const;
+  template <class Term>
+  void blend(int64_t index, Term term) const;
+  glm::dvec4 eyePosition(int64_t index) const;
+  glm::dvec3 eyeNormal(int64_t index) const;
   glm::dvec4 light(const glm::dvec4& eye, const glm::dvec3& normal, const glm::dvec4& color) const;
   glm::dvec4 textureCoordinate(int unit, int64_t index, const glm::dvec4& eye,
                                const glm::dvec3& normal) const;
 
   const render::State& state_;
   glm::dmat3 normalMatrix_{1.0};
-  double rescale_ = 1;
+  std::vector<glm::dmat3> paletteNormals_;
 };
 
 }  // namespace anteroom::reference
