@@ -268,9 +268,10 @@ void writeSkin(const VertexKey& key, Shader& shader) {
   if (key.paletteW) {
     shader.line("vec4 eye = position * skin;");
   } else {
-    std::string weights = "weight.x";
-    for (int i = 1; i < key.palette; ++i) weights += fmt::format(" + weight.{}", "xyzw"[i]);
-    shader.line("vec4 eye = vec4(position * skin, position.w * ({}));", weights);
+    std::string sum = "weight.x";
+    for (int i = 1; i < key.palette; ++i) sum += fmt::format(" + weight.{}", "xyzw"[i]);
+    if (key.palette > 1) sum = '(' + sum + ')';
+    shader.line("vec4 eye = vec4(position * skin, position.w * {});", sum);
   }
 }
 

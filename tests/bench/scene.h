@@ -33,6 +33,7 @@ using Scenes = std::vector<std::unique_ptr<Scene>>;
 void addDrawScenes(Scenes& scenes);
 void addFillScenes(Scenes& scenes);
 void addStateScenes(Scenes& scenes);
+void addSkinningScenes(Scenes& scenes);
 Scenes allScenes();
 
 // Projection in pixels, modelview identity: what every scene starts from.

@@ -171,6 +171,7 @@ Scenes allScenes() {
   addDrawScenes(scenes);
   addFillScenes(scenes);
   addStateScenes(scenes);
+  addSkinningScenes(scenes);
   return scenes;
 }
 

@@ -99,11 +99,13 @@ const Scenes& allScenes() {
     addTextureScenes(all);
     addFragmentScenes(all);
     addPrimitiveScenes(all);
+    addPaletteScenes(all);
     const std::size_t ordinary = all.size();
     addMatrixExtremes(all);
     addLightingExtremes(all);
     addTextureExtremes(all);
     addVertexExtremes(all);
+    addPaletteExtremes(all);
     for (std::size_t i = ordinary; i < all.size(); ++i) all[i].extreme = true;
     for (Scene& scene : all) {
       for (const MesaRemark& remark : mesaRemarks())

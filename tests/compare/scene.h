@@ -39,11 +39,13 @@ void addLightingScenes(Scenes& scenes);
 void addTextureScenes(Scenes& scenes);
 void addFragmentScenes(Scenes& scenes);
 void addPrimitiveScenes(Scenes& scenes);
+void addPaletteScenes(Scenes& scenes);
 void addDriverScenes(Scenes& scenes);
 void addMatrixExtremes(Scenes& scenes);
 void addLightingExtremes(Scenes& scenes);
 void addTextureExtremes(Scenes& scenes);
 void addVertexExtremes(Scenes& scenes);
+void addPaletteExtremes(Scenes& scenes);
 
 // All of them, in the order of the table.
 const Scenes& allScenes();

@@ -45,6 +45,9 @@ TEST(Constants, PackWritesExactlyItsSize) {
     expectExactWrite(packPush, keys.vertex, state, b.pushSize);
     expectExactWrite(packVertex, keys.vertex, state, b.vertexSize);
     expectExactWrite(packFragment, keys.fragment, state, b.fragmentSize);
+    ASSERT_LE(b.paletteSize, 16384u);
+    expectExactWrite(packPalette, keys.vertex, state, b.paletteSize);
+    ASSERT_EQ(b.paletteSize != 0, emitVertex(keys.vertex).find("uniform Palette") != std::string::npos);
     ASSERT_EQ(b.vertexSize != 0, emitVertex(keys.vertex).find("uniform Vertex") != std::string::npos);
     ASSERT_EQ(b.fragmentSize != 0, emitFragment(keys.fragment).find("uniform Fragment") != std::string::npos);
   }
@@ -187,6 +190,52 @@ TEST(Constants, ProductsAreMadeInDouble) {
   EXPECT_EQ(PackedState(s).get("modelviewProjection", 16)[12], -0.125f);
   s.modelview[3][0] = 1e6, s.clipPlanes[0] = {true, {1, 0, 0, -1e6 - 0.5}};
   EXPECT_EQ(PackedState(s).get("clipPlane0", 4), (Floats{1, 0, 0, -0.5f}));
+}
+
+// Matrices lie by rows, three each, matrices for normals behind them, where the shader reads them.
+TEST(Constants, PaletteLiesWhereTheShaderReadsIt) {
+  const auto packed = [](const State& s, const std::string& member, int& offset) {
+    const VertexKey key = keysOf(s).vertex;
+    Floats bytes(blocks(key, keysOf(s).fragment).paletteSize / 4);
+    packPalette(key, s, reinterpret_cast<std::byte*>(bytes.data()));
+    offset = offsetInSpirv(compile(Stage::Vertex, emitVertex(key)).spirv, member);
+    return bytes;
+  };
+  const auto at = [](const Floats& all, int bytes, size_t count) {
+    return Floats(all.begin() + bytes / 4, all.begin() + bytes / 4 + static_cast<int>(count));
+  };
+  int offset = -1;
+  Floats all = packed(skinnedState(), "palette", offset);
+  EXPECT_EQ(all.size(), 64u * 12);
+  EXPECT_EQ(offset, 0);
+  EXPECT_EQ(at(all, 3 * 48, 12), (Floats{1, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7}));
+  all = packed(skinnedState(true), "paletteNormals", offset);
+  EXPECT_EQ(all.size(), 64u * 24);
+  EXPECT_EQ(offset, 64 * 48);
+  // The inverse transpose of (2 0.5 0), (0 1 0), (0 0 1), by columns.
+  EXPECT_EQ(at(all, offset + 48, 12), (Floats{0.5f, 0, 0, 0, -0.25f, 1, 0, 0, 0, 0, 1, 0}));
+  all = packed(skinnedState(false, true), "palette", offset);
+  EXPECT_EQ(all.size(), 64u * 16);
+  EXPECT_EQ(at(all, 2 * 64, 16), (Floats{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -0.25f, 1}));
+}
+
+// Rounding of float matrices that rotate is no reason for a second palette; a stretch is.
+TEST(Constants, OrthogonalPalettes) {
+  State s = skinnedState();
+  Palette palette;
+  s.palette = &palette;
+  for (size_t i = 0; i < palette.matrices.size(); ++i) {
+    const double angle = 0.1 * static_cast<double>(i);
+    const glm::mat4 rounded(glm::rotate(glm::dmat4(1.0), angle, glm::dvec3(1, 2, angle)));
+    palette.matrices[i] = glm::dmat4(rounded);
+  }
+  EXPECT_EQ(keysOf(s).vertex.paletteNormals, 0);
+  palette.matrices[9][0] *= -1;  // a mirror is as good
+  EXPECT_EQ(keysOf(s).vertex.paletteNormals, 0);
+  palette.matrices[9] *= 1.0001;
+  EXPECT_EQ(keysOf(s).vertex.paletteNormals, 1);
+  palette.matrices[9] = glm::dmat4(NAN);
+  EXPECT_EQ(keysOf(s).vertex.paletteNormals, 1);
 }
 
 // ---- Where the specification is silent

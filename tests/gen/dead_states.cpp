@@ -186,6 +186,45 @@ std::vector<DeadState> lightingStates() {
   };
 }
 
+// Everything about a palette is dead without it, and of a palette what its vertices do not need.
+std::vector<DeadState> paletteStates() {
+  const State unlit = with(skinnedState(), [](State& s) { s.lighting.enabled = false; });
+  const auto enable = [](State& s) {
+    enableArray(s, kMatrixIndex, 4, GL_UNSIGNED_BYTE);
+    enableArray(s, kWeight, 4, GL_FIXED);
+  };
+  return {
+      {"indices and weights without a palette", litState(), enable},
+      {"a palette without arrays", litState(), [](State& s) { s.palette = skinnedState().palette; }},
+      {"a palette without weights", litState(),
+       [](State& s) {
+         s.palette = skinnedState().palette;
+         enableArray(s, kMatrixIndex, 4, GL_UNSIGNED_BYTE);
+       }},
+      {"a palette without indices", litState(),
+       [](State& s) {
+         s.palette = skinnedState().palette;
+         enableArray(s, kWeight, 4);
+       }},
+      {"weights beyond the indices", skinnedState(), [](State& s) { s.attributes[kWeight].size = 4; }},
+      {"indices beyond the weights", skinnedState(), [](State& s) { s.attributes[kMatrixIndex].size = 4; }},
+      {"inverse transposes without normals", unlit, [](State& s) { s.palette = skinnedState(true).palette; }},
+      {"normal array without lighting", unlit, [](State& s) { s.attributes[kNormal].type = GL_BYTE; }},
+      {"the modelview matrix", skinnedState(), [](State& s) { s.modelview[0][3] = 2; }},
+      {"w of positions under fog", with(skinnedState(), [](State& s) { s.fog.enabled = true; }),
+       [](State& s) { s.attributes[kPosition].size = 4; }},
+      {"values of matrices", skinnedState(true, true),
+       [](State& s) {
+         static const Palette other = [] {
+           Palette p = *skinnedState(true, true).palette;
+           p.matrices[60] = glm::dmat4(3.0);
+           return p;
+         }();
+         s.palette = &other;
+       }},
+  };
+}
+
 std::vector<DeadState> otherStates() {
   const State fogged = with(plainState(), [](State& s) { s.fog.enabled = true; });
   const State never = with(texturedState(), [](State& s) { s.alphaTest = true, s.alphaFunc = GL_NEVER; });
@@ -259,6 +298,12 @@ TEST(DeadStates, Textures) {
 TEST(DeadStates, Lighting) {
   expectDead(lightingStates());
 }
+TEST(DeadStates, Palettes) {
+  expectDead(paletteStates());
+  const Blocks without = blocks(keysOf(litState()).vertex, keysOf(litState()).fragment);
+  EXPECT_EQ(without.paletteSize, 0u);
+  EXPECT_EQ(without.paletteGroups, 0u);
+}
 TEST(DeadStates, Others) {
   expectDead(otherStates());
 }
@@ -301,6 +346,15 @@ TEST(DeadStates, LiveStatesChangeKeys) {
       {"attenuated points", pointState(), [](State& s) { s.points.distanceAttenuation.y = 1; }},
       {"fixed positions", plainState(), [](State& s) { s.attributes[kPosition].type = GL_FIXED; }},
       {"color array", plainState(), [](State& s) { enableArray(s, kColor, 4); }},
+      {"palette", skinnedState(), [](State& s) { s.palette = nullptr; }},
+      {"projective palette", skinnedState(), [](State& s) { s.palette = skinnedState(false, true).palette; }},
+      {"bent palette", skinnedState(), [](State& s) { s.palette = skinnedState(true).palette; }},
+      {"more weights", skinnedState(),
+       [](State& s) { s.attributes[kMatrixIndex].size = s.attributes[kWeight].size = 3; }},
+      {"fixed weights", skinnedState(), [](State& s) { s.attributes[kWeight].type = GL_FIXED; }},
+      {"NORMALIZE of the current normal under a palette",
+       with(skinnedState(), [](State& s) { s.attributes[kNormal].array = false; }),
+       [](State& s) { s.lighting.normalize = true; }},
   };
   for (const DeadState& row : table) {
     const Keys before = keysOf(row.base), after = keysOf(with(row.base, row.change));

@@ -166,6 +166,39 @@ TEST(Golden, MultisampledPoints) {
   expectGolden("multisampled_points", s);
 }
 
+TEST(Golden, SkinnedPlain) {
+  State s = plainState();
+  s.palette = skinnedState().palette;
+  enableArray(s, kMatrixIndex, 1, GL_UNSIGNED_BYTE);
+  enableArray(s, kWeight, 1);
+  expectGolden("skinned_plain", s);
+}
+
+TEST(Golden, SkinnedLit) {
+  State s = skinnedState();
+  s.attributes[kMatrixIndex].size = s.attributes[kWeight].size = 4;
+  s.lighting.normalize = true;
+  expectGolden("skinned_lit", s);
+}
+
+TEST(Golden, SkinnedEverything) {
+  State s = skinnedState(true, true);
+  s.attributes[kWeight].type = GL_FIXED;
+  s.lighting.lights[0].position.w = 1;
+  s.fog.enabled = true;
+  s.clipPlanes[0].enabled = true;
+  s.units[0].target = TextureTarget::CubeMap;
+  s.units[0].texGen = true;
+  expectGolden("skinned_everything", s);
+}
+
+TEST(Golden, SkinnedFog) {
+  State s = skinnedState();
+  s.lighting.enabled = false;
+  s.fog.enabled = true;
+  expectGolden("skinned_fog", s);
+}
+
 TEST(Golden, AlphaTestNever) {
   State s = litState();
   s.alphaTest = true, s.alphaFunc = GL_NEVER;

@@ -142,6 +142,16 @@ TEST(Keys, DeadBitsAreRefused) {
   EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kNormal] = Fetch::Float; }));
   EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kPosition] = Fetch::NormedByte; }));
   EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.clipVaryings = 1; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.palette = 2; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kMatrixIndex] = Fetch::Uint; }));
+  vertex = keysOf(skinnedState(true)).vertex;
+  ASSERT_TRUE(valid(vertex));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.palette = 0; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.palette = 5; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kWeight] = Fetch::Unread; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kMatrixIndex] = Fetch::Float; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fetch[kWeight] = Fetch::Int; }));
+  EXPECT_TRUE(refused(vertex, [](VertexKey& k) { k.fogW = 1; }));
 }
 
 TEST(Keys, HashesDiffer) {

@@ -127,6 +127,10 @@ TEST(RandomStates, OnlyMarkedGroupsChangeConstants) {
          for (int u = 0; u < kMaxTextureUnits; ++u) to.units[u].env.color = from.units[u].env.color;
        }},
       {kGroupFramebuffer, [](State& to, const State& from) { to.alphaBits = from.alphaBits; }},
+      {kGroupPalette,
+       [](State& to, const State& from) {
+         if (to.palette && from.palette) to.palette = from.palette;
+       }},
   };
   RandomStates random(3);
   const auto packed = [](auto pack, const auto& key, const State& state, uint32_t size) {
@@ -157,6 +161,7 @@ TEST(RandomStates, OnlyMarkedGroupsChangeConstants) {
       check(packPush, keys.vertex, b.pushSize, b.pushGroups);
       check(packVertex, keys.vertex, b.vertexSize, b.vertexGroups);
       check(packFragment, keys.fragment, b.fragmentSize, b.fragmentGroups);
+      check(packPalette, keys.vertex, b.paletteSize, b.paletteGroups);
     }
   }
   for (const auto& [group, copy] : groups) EXPECT_GT(changes[group], 0) << "never tried: group " << group;

@@ -1,8 +1,10 @@
 // States that the tests of gen start from.
 #pragma once
 
+#include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "gen/ati.h"
 #include "gen/gen.h"
@@ -55,6 +57,25 @@ inline State litState(int lights = 1) {
   return state;
 }
 
+// A lit state with two weights a vertex, and a palette that lives as long as the process. `bent`: its
+// matrices need matrices of their own for normals; `projective`: last rows of their own.
+inline State skinnedState(bool bent = false, bool projective = false) {
+  static const std::array<Palette, 4> palettes = [] {
+    std::array<Palette, 4> made;
+    for (size_t i = 0; i < made.size(); ++i) {
+      made[i].matrices[3][3] = {5, 6, 7, 1};
+      if (i & 1) made[i].matrices[1][0] = {2, 0.5, 0, 0};
+      if (i & 2) made[i].matrices[2][2] = {0, 0, 1, -0.25};
+    }
+    return made;
+  }();
+  State state = litState();
+  state.palette = &palettes[static_cast<size_t>(bent + 2 * projective)];
+  enableArray(state, kMatrixIndex, 2, GL_UNSIGNED_BYTE);
+  enableArray(state, kWeight, 2);
+  return state;
+}
+
 inline State pointState() {
   State state = plainState();
   state.primitive = PrimitiveClass::Points;
@@ -87,6 +108,7 @@ class RandomStates {
     s.alphaBits = pick<uint8_t>({0, 1, 4, 8});
     s.multisample = coin(4);
     s.framebufferYDown = coin();
+    if (coin(3)) palette(s);
     return s;
   }
 
@@ -121,7 +143,18 @@ class RandomStates {
       s.attributes[texCoord(u)].type = coordinateArrayType();
       s.attributes[texCoord(u)].size = pick<uint8_t>({2, 3, 4});
     }
-    s.attributes[kMatrixIndex].array = s.attributes[kWeight].array = false;
+    s.attributes[kMatrixIndex].type = GL_UNSIGNED_BYTE;
+    s.attributes[kMatrixIndex].size = static_cast<uint8_t>(1 + index(4));
+    s.attributes[kWeight].type = pick<GLenum>({GL_FIXED, GL_FLOAT});
+    s.attributes[kWeight].size = static_cast<uint8_t>(1 + index(4));
+  }
+  // Kept as long as this object.
+  void palette(State& s) {
+    palettes_.push_back(std::make_unique<Palette>());
+    for (int i = index(4); i > 0; --i) palettes_.back()->matrices[index(kPaletteMatrices)] = matrix();
+    s.palette = palettes_.back().get();
+    s.attributes[kMatrixIndex].array = !coin(8);
+    s.attributes[kWeight].array = !coin(8);
   }
   GLenum coordinateArrayType() { return pick<GLenum>({GL_BYTE, GL_SHORT, GL_FIXED, GL_FLOAT}); }
   void lighting(Lighting& l) {
@@ -192,6 +225,7 @@ class RandomStates {
   }
 
   std::mt19937 engine_;
+  std::vector<std::unique_ptr<Palette>> palettes_;
 };
 
 }  // namespace anteroom::gen
