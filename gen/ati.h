@@ -28,4 +28,9 @@ inline constexpr GLenum kSecondaryColor = 0x8747;
 inline constexpr GLenum kTextureOutputRgb = 0x8748;
 inline constexpr GLenum kTextureOutputAlpha = 0x8749;
 
+// ATI_texture_mirror_once, EXT_texture_mirror_clamp: wrap modes.
+inline constexpr GLenum kMirrorClamp = 0x8742;
+inline constexpr GLenum kMirrorClampToEdge = 0x8743;
+inline constexpr GLenum kMirrorClampToBorder = 0x8912;
+
 }  // namespace anteroom::gen

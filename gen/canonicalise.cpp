@@ -198,6 +198,9 @@ FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     key.units[u].target = state.units[u].target;
     key.units[u].coordinate = coordinateOf(state, u);
+    key.units[u].edges = state.units[u].edges;
+    for (MirroredEdge& edge : key.units[u].edges)
+      if (edge == MirroredEdge::Texel && profile.mirrorClampToEdge) edge = MirroredEdge::None;
     translateEnvironment(state, u, key.units[u]);
   }
   key.fogSource = fogMode(state.fog);

@@ -28,6 +28,7 @@ constexpr std::string_view kPointShapeWords[] = {"square", "smooth", "samples"};
 constexpr std::string_view kCoordinateWords[] = {"none", "st", "stq", "str", "strq", "point"};
 constexpr std::string_view kTexGenWords[] = {"none", "reflection", "normal"};
 constexpr std::string_view kTargetWords[] = {"none", "2d", "cube", "3d"};
+constexpr std::string_view kEdgeWords[] = {"none", "texel", "half", "whole", "hard"};
 constexpr std::string_view kFogWords[] = {"none", "linear", "exp", "exp2"};
 constexpr std::string_view kAlphaTestWords[] = {"always", "never",   "less",     "equal",
                                                 "lequal", "greater", "notequal", "gequal"};
@@ -102,6 +103,8 @@ void visitFragment(Key& key, Visit visit) {
   for (int u = 0; u < kMaxTextureUnits; ++u) {
     words("unit", key.units[u].target, kTargetWords, u);
     words("read", key.units[u].coordinate, kCoordinateWords, u);
+    constexpr std::string_view kEdges[] = {"edge-s", "edge-t", "edge-r"};
+    for (size_t axis = 0; axis < 3; ++axis) words(kEdges[axis], key.units[u].edges[axis], kEdgeWords, u);
   }
   words("fog", key.fog, kFogWords);
   words("fog-source", key.fogSource, kFogWords);

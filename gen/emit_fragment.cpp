@@ -110,10 +110,42 @@ void combine(const FragmentUnit& unit, int u, Shader& shader) {
     shader.line("color = vec4({}, {});", rgbText.component("rgb"), alphaText.component("a"));
 }
 
+// Samples within [-1, 1], by gradients that do not know of the clamp; then takes away what the border covers.
+void sampleMirroredEdges(const FragmentUnit& unit, int u, std::string_view coord, Shader& shader) {
+  const bool volume = unit.target == TextureTarget::Texture3D;
+  const std::string_view type = volume ? "vec3" : "vec2";
+  shader.line("{} coord{} = {};", type, u, coord);
+  shader.line("{} inside{} = coord{};", type, u, u);
+  constexpr std::string_view kAxes[] = {"x", "y", "z"};
+  bool border = false;
+  for (size_t axis = 0; axis < 3; ++axis) {
+    if (unit.edges[axis] == MirroredEdge::None) continue;
+    border |= unit.edges[axis] != MirroredEdge::Texel;
+    shader.line("inside{0}.{1} = clamp(coord{0}.{1}, -1.0, 1.0);", u, kAxes[axis]);
+  }
+  shader.line("vec4 texel{0} = textureGrad(unit{0}, inside{0}, dFdx(coord{0}), dFdy(coord{0}));", u);
+  if (!border) return;
+  shader.line("int level{0} = int(textureQueryLod(unit{0}, coord{0}).x + 0.5);", u);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    if (unit.edges[axis] < MirroredEdge::Half) continue;
+    const std::string value = fmt::format("coord{}.{}", u, kAxes[axis]);
+    const std::string size = fmt::format("float(textureSize(unit{0}, level{0}).{1})", u, kAxes[axis]);
+    if (unit.edges[axis] == MirroredEdge::Hard)
+      shader.line("if (abs({}) >= 1.0) texel{} = vec4(0.0);", value, u);
+    else
+      shader.line("texel{} *= {}({}, {});", u,
+                  shader.call(unit.edges[axis] == MirroredEdge::Half ? "halfInside" : "inside"), value, size);
+  }
+}
+
 void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {
   constexpr std::string_view kSamplers[] = {"", "sampler2D", "samplerCube", "sampler3D"};
   shader.declareLine("layout(set = 1, binding = {}) uniform {} unit{};", u,
                      kSamplers[static_cast<int>(unit.target)], u);
+  constexpr std::array<MirroredEdge, 3> kNoEdges{};
+  if (unit.edges != kNoEdges && unit.coordinate == Coordinate::Point)
+    return sampleMirroredEdges(
+        unit, u, unit.target == TextureTarget::Texture2D ? "pointCoord" : "vec3(pointCoord, 0.0)", shader);
   if (unit.coordinate == Coordinate::Point) {  // section 3.7.7: rho is 1
     const char* coord = unit.target == TextureTarget::Texture2D ? "pointCoord" : "vec3(pointCoord, 0.0)";
     shader.line("vec4 texel{} = textureLod(unit{}, {}, 0.0);", u, u, coord);
@@ -124,6 +156,7 @@ void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {
   std::string coord = fmt::format("texCoord{}", u);
   if (unit.coordinate == Coordinate::Stq) coord = fmt::format("{}({})", shader.call("divideSt"), coord);
   if (unit.coordinate == Coordinate::Strq) coord = fmt::format("{}({})", shader.call("divideStr"), coord);
+  if (unit.edges != kNoEdges) return sampleMirroredEdges(unit, u, coord, shader);
   shader.line("vec4 texel{} = texture(unit{}, {});", u, u, coord);
 }
 

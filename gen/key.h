@@ -73,6 +73,7 @@ enum class Coordinate : uint8_t { None, St, Stq, Str, Strq, Point };
 struct FragmentUnit {
   TextureTarget target;  // None: not sampled
   Coordinate coordinate;
+  std::array<MirroredEdge, 3> edges;  // along s, t and r
   Combiner rgb, alpha;
 };
 
@@ -163,7 +164,7 @@ struct VertexKey {
 static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_copyable_v<VertexKey>);
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
-static_assert(sizeof(FragmentKey) == 18 * kMaxTextureUnits + 9);
+static_assert(sizeof(FragmentKey) == 21 * kMaxTextureUnits + 9);
 static_assert(sizeof(VertexKey) == kAttributeCount + 24 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {

@@ -7,8 +7,9 @@
 namespace anteroom::gen {
 
 struct Profile {
-  bool clipDistance = true;  // gl_ClipDistance with at least 8 entries; else fragments are discarded
-  bool largePoints = true;   // gl_PointSize other than 1
+  bool clipDistance = true;       // gl_ClipDistance with at least 8 entries; else fragments are discarded
+  bool largePoints = true;        // gl_PointSize other than 1
+  bool mirrorClampToEdge = true;  // as an address mode of samplers
 };
 
 }  // namespace anteroom::gen

@@ -116,6 +116,9 @@ void reduce(FragmentKey& key) {
       unit.coordinate = Coordinate::None;
     }
     if (!fits(unit.target, unit.coordinate)) unit.coordinate = simplest(unit.target);
+    // Cube maps are not wrapped (OES_texture_cube_map).
+    if (unit.target == TextureTarget::None || unit.target == TextureTarget::CubeMap) unit.edges = {};
+    if (unit.target == TextureTarget::Texture2D) unit.edges[2] = MirroredEdge::None;
     sprite |= unit.coordinate == Coordinate::Point;
   }
   // One factor serves both.

@@ -110,6 +110,11 @@ struct Lighting {
 
 enum class TextureTarget : uint8_t { None, Texture2D, CubeMap, Texture3D };
 
+// EXT_texture_mirror_clamp: what becomes of a coordinate outside [-1, 1]; None: it is left to the sampler.
+// The border is transparent black. Half: filtered linearly, up to half of it is border (MIRROR_CLAMP); Whole:
+// all of it (MIRROR_CLAMP_TO_BORDER); Hard: the same, not filtered.
+enum class MirroredEdge : uint8_t { None, Texel, Half, Whole, Hard };
+
 // Section 3.7.12.
 struct TextureEnv {
   GLenum mode = GL_MODULATE;
@@ -137,6 +142,7 @@ struct TextureUnit {
   bool texGen = false;                        // OES_texture_cube_map: s, t and r together
   GLenum texGenMode = GL_REFLECTION_MAP_OES;  // or GL_NORMAL_MAP_OES
   glm::dmat4 matrix{1.0};
+  std::array<MirroredEdge, 3> edges{};  // along s, t and r
 };
 
 struct Fog {

@@ -1,6 +1,7 @@
 // Texture names and bindings (section 3.7.11), images of EGL, and what a draw samples (section 3.7.13).
 #include <new>
 
+#include "gen/ati.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
 
@@ -25,6 +26,23 @@ void bind(Context& c, UnitBindings& unit, TextureSlot slot, std::shared_ptr<Text
   if (unit.enabled[slot]) c.mark(gen::kGroupTextures);
 }
 
+// EXT_texture_mirror_clamp; the border shows where a filter is linear.
+gen::MirroredEdge edgeOf(GLenum wrap, const render::Sampler& sampler) {
+  const bool linear = sampler.magFilter == GL_LINEAR || sampler.minFilter == GL_LINEAR ||
+                      sampler.minFilter == GL_LINEAR_MIPMAP_NEAREST ||
+                      sampler.minFilter == GL_LINEAR_MIPMAP_LINEAR;
+  switch (wrap) {
+    case gen::kMirrorClamp:
+      return linear ? gen::MirroredEdge::Half : gen::MirroredEdge::Texel;
+    case gen::kMirrorClampToEdge:
+      return gen::MirroredEdge::Texel;
+    case gen::kMirrorClampToBorder:
+      return linear ? gen::MirroredEdge::Whole : gen::MirroredEdge::Hard;
+    default:
+      return gen::MirroredEdge::None;
+  }
+}
+
 // False: out of memory.
 bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
                  render::TextureBinding& binding) {
@@ -39,6 +57,9 @@ bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
     binding.sampler = texture.sampler;
     fixed.target = candidate.target;
     fixed.baseFormat = texture.baseFormat();
+    fixed.edges = {edgeOf(texture.sampler.wrapS, texture.sampler),
+                   edgeOf(texture.sampler.wrapT, texture.sampler),
+                   edgeOf(texture.sampler.wrapR, texture.sampler)};
     return true;
   }
   return true;

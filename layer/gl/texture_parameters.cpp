@@ -1,8 +1,10 @@
 // TexParameter and its queries (sections 3.7.5, 6.1.3).
+#include "gen/ati.h"
 #include "layer/gl/params.h"
 #include "layer/gl/texture.h"
 
 using namespace anteroom::gl;
+namespace gen = anteroom::gen;
 namespace render = anteroom::render;
 
 namespace {
@@ -15,7 +17,8 @@ bool isMagFilter(GLenum value) {
   return value == GL_NEAREST || value == GL_LINEAR;
 }
 bool isWrapMode(GLenum value) {
-  return value == GL_REPEAT || value == GL_CLAMP_TO_EDGE || value == GL_MIRRORED_REPEAT_OES;
+  return value == GL_REPEAT || value == GL_CLAMP_TO_EDGE || value == GL_MIRRORED_REPEAT_OES ||
+         value == gen::kMirrorClamp || value == gen::kMirrorClampToEdge || value == gen::kMirrorClampToBorder;
 }
 
 template <class T>

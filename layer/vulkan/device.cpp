@@ -111,6 +111,7 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
                      std::to_string(VK_API_VERSION_PATCH(properties.apiVersion));
   caps_.profile.clipDistance = features_.clipDistance && limits_.maxClipDistances >= gen::kMaxClipPlanes;
   caps_.profile.largePoints = features_.largePoints;
+  caps_.profile.mirrorClampToEdge = features_.mirrorClampToEdge;
   caps_.maxTextureSize = static_cast<int>(std::min(limits_.maxImageDimension2D, 16384u));
   caps_.maxCubeMapSize = static_cast<int>(std::min(limits_.maxImageDimensionCube, 16384u));
   caps_.maxVolumeSize = static_cast<int>(std::min(limits_.maxImageDimension3D, 2048u));

@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gen/ati.h"
 #include "layer/vulkan/device.h"
 
 namespace anteroom::vulkan {
-namespace {
-
-constexpr GLenum kMirrorClampToEdge = 0x8743;  // GL_MIRROR_CLAMP_TO_EDGE_EXT
-
-}  // namespace
-
 SamplerCache::~SamplerCache() {
   for (const Entry& entry : entries_) device_.fn().vkDestroySampler(device_.handle(), entry.sampler, nullptr);
 }
@@ -22,7 +17,10 @@ VkSamplerAddressMode SamplerCache::wrap(GLenum mode) const {
       return VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     case GL_MIRRORED_REPEAT_OES:
       return VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
-    case kMirrorClampToEdge:
+    // Where there is no mode of that kind, and at borders, shaders clamp to [-1, 1] (gen::MirroredEdge).
+    case gen::kMirrorClamp:
+    case gen::kMirrorClampToEdge:
+    case gen::kMirrorClampToBorder:
       return device_.features().mirrorClampToEdge ? VK_SAMPLER_ADDRESS_MODE_MIRROR_CLAMP_TO_EDGE
                                                   : VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT;
     default:

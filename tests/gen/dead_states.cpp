@@ -69,6 +69,17 @@ std::vector<DeadState> textureStates() {
        [](State& s) { s.units[0].env.srcRgb[1] = s.units[0].env.srcAlpha[1] = GL_PRIMARY_COLOR; }},
       {"TEXTURE0 for TEXTURE at unit 0", combineState(),
        [](State& s) { s.units[0].env.srcRgb[0] = GL_TEXTURE0; }},
+      {"mirrored edges of a cube map",
+       with(texturedState(), [](State& s) { s.units[0].target = TextureTarget::CubeMap; }),
+       [](State& s) {
+         s.units[0].edges = {MirroredEdge::Whole, MirroredEdge::Half, MirroredEdge::Hard};
+       }},
+      {"the third edge of a 2D texture", texturedState(),
+       [](State& s) { s.units[0].edges[2] = MirroredEdge::Whole; }},
+      {"edges of a disabled unit", texturedState(),
+       [](State& s) { s.units[3].edges[0] = MirroredEdge::Half; }},
+      {"an edge that the sampler does", texturedState(),
+       [](State& s) { s.units[0].edges[0] = MirroredEdge::Texel; }},
       {"the fog factor of a fog that no combiner reads", texturedState(),
        [](State& s) { s.fog.mode = GL_LINEAR, s.fog.density = 3; }},
       {"a result routed to a unit that nobody reads", texturedState(GL_RGBA, 2),

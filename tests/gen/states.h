@@ -185,6 +185,9 @@ class RandomStates {
     unit.texGen = coin(4);
     unit.texGenMode = pick<GLenum>({GL_REFLECTION_MAP_OES, GL_NORMAL_MAP_OES});
     unit.matrix = matrix();
+    for (MirroredEdge& edge : unit.edges)
+      if (coin(6))
+        edge = pick({MirroredEdge::Texel, MirroredEdge::Half, MirroredEdge::Whole, MirroredEdge::Hard});
     TextureEnv& env = unit.env;
     env.mode = pick<GLenum>({GL_REPLACE, GL_MODULATE, GL_DECAL, GL_BLEND, GL_ADD, GL_COMBINE, GL_COMBINE,
                              GL_COMBINE, GL_MODULATE_COLOR_IMG, GL_RECIP_ADD_SIGNED_ALPHA_IMG,

@@ -6,9 +6,29 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include "gen/ati.h"
+
 namespace anteroom::reference {
 
 namespace {
+
+constexpr int64_t kBorder = -1;
+
+// EXT_texture_mirror_clamp, section 3.8.7. A coordinate of 1 without a filter is the last texel.
+double mirrored(double coordinate, int size, GLenum mode, bool linear) {
+  const double half = 0.5 / size;
+  const double away = std::max(half, std::abs(coordinate));
+  switch (mode) {
+    case gen::kMirrorClamp:
+      return std::min(linear ? 1 : 1 - half, away);
+    case gen::kMirrorClampToEdge:
+      return std::min(1 - half, away);
+    case gen::kMirrorClampToBorder:
+      return std::min(1 + half, away);
+    default:
+      return coordinate;
+  }
+}
 
 // Section 3.7.6, on texel numbers: exact, whatever the size of the coordinate.
 int64_t wrap(int64_t i, int size, GLenum mode) {
@@ -19,8 +39,11 @@ int64_t wrap(int64_t i, int size, GLenum mode) {
       const int64_t period = ((i % (2 * int64_t(size))) + 2 * int64_t(size)) % (2 * int64_t(size));
       return period < size ? period : 2 * int64_t(size) - 1 - period;
     }
+    case gen::kMirrorClamp:
+    case gen::kMirrorClampToBorder:
+      return i < size ? std::max<int64_t>(i, 0) : kBorder;
     default:
-      return std::clamp<int64_t>(i, 0, size - 1);  // GL_CLAMP_TO_EDGE
+      return std::clamp<int64_t>(i, 0, size - 1);  // GL_CLAMP_TO_EDGE, MIRROR_CLAMP_TO_EDGE
   }
 }
 
@@ -34,7 +57,7 @@ struct Axis {
   double weight;  // of upper
 };
 Axis along(double coordinate, int size, GLenum mode, bool linear) {
-  const double u = bounded(coordinate) * size;
+  const double u = mirrored(bounded(coordinate), size, mode, linear) * size;
   if (!linear) {
     const int64_t i = wrap(static_cast<int64_t>(std::floor(u)), size, mode);
     return {i, i, 0};
@@ -45,6 +68,7 @@ Axis along(double coordinate, int size, GLenum mode, bool linear) {
 }
 
 glm::dvec4 texel(const StoredImage& image, int level, int64_t x, int64_t y, int64_t z) {
+  if (x == kBorder || y == kBorder || z == kBorder) return glm::dvec4(0);
   return image.level(level)
       .color[image.index(level, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z))];
 }
