@@ -43,6 +43,12 @@ Coordinate coordinateOf(const State& state, int unit) {
   return divided ? Coordinate::St : Coordinate::Stq;
 }
 
+// Where coordinates do not change over a primitive there is no minification.
+bool switchesLate(const State& state, int unit) {
+  return state.units[unit].lateSwitchOver && state.primitive != PrimitiveClass::Points &&
+         !isConstant(state, unit);
+}
+
 FogMode fogMode(const Fog& fog) {
   return fog.mode == GL_LINEAR ? FogMode::Linear : fog.mode == GL_EXP2 ? FogMode::Exp2 : FogMode::Exp;
 }
@@ -201,6 +207,7 @@ FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
     key.units[u].edges = state.units[u].edges;
     for (MirroredEdge& edge : key.units[u].edges)
       if (edge == MirroredEdge::Texel && profile.mirrorClampToEdge) edge = MirroredEdge::None;
+    if (switchesLate(state, u)) key.switchOver |= static_cast<uint8_t>(1u << u);
     translateEnvironment(state, u, key.units[u]);
   }
   key.fogSource = fogMode(state.fog);

@@ -115,6 +115,7 @@ void visitFragment(Key& key, Visit visit) {
   number("two-sided", key.twoSided, 1);
   number("point-y-up", key.pointYUp, 1);
   number("discard-planes", key.discardPlanes, kMaxClipPlanes);
+  number("switch-over", key.switchOver, 255);
 }
 
 void visitFields(VertexKey& key, auto visit) {

@@ -111,7 +111,8 @@ void combine(const FragmentUnit& unit, int u, Shader& shader) {
 }
 
 // Samples within [-1, 1], by gradients that do not know of the clamp; then takes away what the border covers.
-void sampleMirroredEdges(const FragmentUnit& unit, int u, std::string_view coord, Shader& shader) {
+void sampleMirroredEdges(const FragmentUnit& unit, int u, bool lateSwitchOver, std::string_view coord,
+                         Shader& shader) {
   const bool volume = unit.target == TextureTarget::Texture3D;
   const std::string_view type = volume ? "vec3" : "vec2";
   shader.line("{} coord{} = {};", type, u, coord);
@@ -123,13 +124,22 @@ void sampleMirroredEdges(const FragmentUnit& unit, int u, std::string_view coord
     border |= unit.edges[axis] != MirroredEdge::Texel;
     shader.line("inside{0}.{1} = clamp(coord{0}.{1}, -1.0, 1.0);", u, kAxes[axis]);
   }
-  shader.line("vec4 texel{0} = textureGrad(unit{0}, inside{0}, dFdx(coord{0}), dFdy(coord{0}));", u);
+  const bool point = unit.coordinate == Coordinate::Point;
+  std::string closer;
+  if (lateSwitchOver)
+    closer = fmt::format(" * exp2({}(textureQueryLod(unit{}, coord{}).y))", shader.call("switchOver"), u, u);
+  if (point)  // section 3.7.7: rho is 1
+    shader.line("vec4 texel{0} = textureLod(unit{0}, inside{0}, 0.0);", u);
+  else
+    shader.line("vec4 texel{0} = textureGrad(unit{0}, inside{0}, dFdx(coord{0}){1}, dFdy(coord{0}){1});", u,
+                closer);
   if (!border) return;
-  shader.line("int level{0} = int(textureQueryLod(unit{0}, coord{0}).x + 0.5);", u);
+  const std::string level = point ? "0" : fmt::format("level{}", u);
+  if (!point) shader.line("int level{0} = int(textureQueryLod(unit{0}, coord{0}).x + 0.5);", u);
   for (size_t axis = 0; axis < 3; ++axis) {
     if (unit.edges[axis] < MirroredEdge::Half) continue;
     const std::string value = fmt::format("coord{}.{}", u, kAxes[axis]);
-    const std::string size = fmt::format("float(textureSize(unit{0}, level{0}).{1})", u, kAxes[axis]);
+    const std::string size = fmt::format("float(textureSize(unit{}, {}).{})", u, level, kAxes[axis]);
     if (unit.edges[axis] == MirroredEdge::Hard)
       shader.line("if (abs({}) >= 1.0) texel{} = vec4(0.0);", value, u);
     else
@@ -138,16 +148,14 @@ void sampleMirroredEdges(const FragmentUnit& unit, int u, std::string_view coord
   }
 }
 
-void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {
+void sampleTexture(const FragmentUnit& unit, int u, bool lateSwitchOver, Shader& shader) {
   constexpr std::string_view kSamplers[] = {"", "sampler2D", "samplerCube", "sampler3D"};
   shader.declareLine("layout(set = 1, binding = {}) uniform {} unit{};", u,
                      kSamplers[static_cast<int>(unit.target)], u);
   constexpr std::array<MirroredEdge, 3> kNoEdges{};
-  if (unit.edges != kNoEdges && unit.coordinate == Coordinate::Point)
-    return sampleMirroredEdges(
-        unit, u, unit.target == TextureTarget::Texture2D ? "pointCoord" : "vec3(pointCoord, 0.0)", shader);
   if (unit.coordinate == Coordinate::Point) {  // section 3.7.7: rho is 1
     const char* coord = unit.target == TextureTarget::Texture2D ? "pointCoord" : "vec3(pointCoord, 0.0)";
+    if (unit.edges != kNoEdges) return sampleMirroredEdges(unit, u, false, coord, shader);
     shader.line("vec4 texel{} = textureLod(unit{}, {}, 0.0);", u, u, coord);
     return;
   }
@@ -156,8 +164,12 @@ void sampleTexture(const FragmentUnit& unit, int u, Shader& shader) {
   std::string coord = fmt::format("texCoord{}", u);
   if (unit.coordinate == Coordinate::Stq) coord = fmt::format("{}({})", shader.call("divideSt"), coord);
   if (unit.coordinate == Coordinate::Strq) coord = fmt::format("{}({})", shader.call("divideStr"), coord);
-  if (unit.edges != kNoEdges) return sampleMirroredEdges(unit, u, coord, shader);
-  shader.line("vec4 texel{} = texture(unit{}, {});", u, u, coord);
+  if (unit.edges != kNoEdges) return sampleMirroredEdges(unit, u, lateSwitchOver, coord, shader);
+  if (lateSwitchOver)
+    shader.line("vec4 texel{} = texture(unit{}, {}, {}(textureQueryLod(unit{}, {}).y));", u, u, coord,
+                shader.call("switchOver"), u, coord);
+  else
+    shader.line("vec4 texel{} = texture(unit{}, {});", u, u, coord);
 }
 
 void readPrimary(const FragmentKey& key, Shader& shader) {
@@ -240,7 +252,8 @@ std::string emitFragment(const FragmentKey& key) {
     shader.line("vec2 pointCoord = {};",
                 key.pointYUp ? "vec2(gl_PointCoord.x, 1.0 - gl_PointCoord.y)" : "gl_PointCoord");
   for (int u = 0; u < kMaxTextureUnits; ++u)
-    if (key.units[u].target != TextureTarget::None) sampleTexture(key.units[u], u, shader);
+    if (key.units[u].target != TextureTarget::None)
+      sampleTexture(key.units[u], u, (key.switchOver >> u & 1) != 0, shader);
   readPrimary(key, shader);
   if (key.fogSource != FogMode::None) shader.line("float fogFactor = {};", fogFactor(key.fogSource, shader));
   for (int u = 0; u < kMaxTextureUnits; ++u) {

@@ -94,6 +94,7 @@ struct FragmentKey {
   uint8_t twoSided;       // 0, 1: a back color, chosen by gl_FrontFacing
   uint8_t pointYUp;       // 0, 1: gl_PointCoord runs in GL's direction of y: t is turned
   uint8_t discardPlanes;  // 0-8: clip planes that the fragment stage must do
+  uint8_t switchOver;     // bit u: unit u is minified only from a level of detail of 0.5 (section 3.7.8)
 };
 
 // ---- Vertex: transformation, lighting, texture coordinates, point size (chapter 2)
@@ -164,7 +165,7 @@ struct VertexKey {
 static_assert(std::is_trivially_copyable_v<FragmentKey> && std::is_trivially_copyable_v<VertexKey>);
 static_assert(std::has_unique_object_representations_v<FragmentKey>);
 static_assert(std::has_unique_object_representations_v<VertexKey>);
-static_assert(sizeof(FragmentKey) == 21 * kMaxTextureUnits + 9);
+static_assert(sizeof(FragmentKey) == 21 * kMaxTextureUnits + 10);
 static_assert(sizeof(VertexKey) == kAttributeCount + 24 + 4 * kMaxTextureUnits);
 
 inline bool operator==(const FragmentKey& a, const FragmentKey& b) {

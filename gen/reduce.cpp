@@ -119,6 +119,8 @@ void reduce(FragmentKey& key) {
     // Cube maps are not wrapped (OES_texture_cube_map).
     if (unit.target == TextureTarget::None || unit.target == TextureTarget::CubeMap) unit.edges = {};
     if (unit.target == TextureTarget::Texture2D) unit.edges[2] = MirroredEdge::None;
+    if (unit.coordinate == Coordinate::None || unit.coordinate == Coordinate::Point)
+      key.switchOver &= static_cast<uint8_t>(~(1u << u));
     sprite |= unit.coordinate == Coordinate::Point;
   }
   // One factor serves both.

@@ -138,6 +138,7 @@ struct TextureUnit {
   // What is sampled: the enabled target of highest priority whose texture is complete; None: the unit is off.
   TextureTarget target = TextureTarget::None;
   GLenum baseFormat = GL_RGBA;  // GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA
+  bool lateSwitchOver = false;  // minified only from a level of detail of 0.5 (c in section 3.7.8)
   TextureEnv env;
   bool texGen = false;                        // OES_texture_cube_map: s, t and r together
   GLenum texGenMode = GL_REFLECTION_MAP_OES;  // or GL_NORMAL_MAP_OES

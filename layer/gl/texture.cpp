@@ -246,6 +246,12 @@ bool Texture::complete() const {
   return true;
 }
 
+bool Texture::switchesLate() const {
+  const bool nearest =
+      sampler.minFilter == GL_NEAREST_MIPMAP_NEAREST || sampler.minFilter == GL_NEAREST_MIPMAP_LINEAR;
+  return sampler.magFilter == GL_LINEAR && nearest && (at(0, 0).width > 1 || at(0, 0).height > 1);
+}
+
 bool Texture::canGenerateMipmaps() const {
   if (!baseComplete()) return false;
   return !import_ || import_->desc().levels >= chainLength(at(0, 0).width, at(0, 0).height);

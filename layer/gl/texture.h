@@ -85,6 +85,10 @@ struct Texture {
   bool complete() const;
   GLenum baseFormat() const { return baseFormatOf(at(0, 0).internalFormat); }
 
+  // Section 3.7.8: whether c, which divides magnification from minification, is 0.5. Of one texel alone it
+  // does not matter.
+  bool switchesLate() const;
+
   // GenerateMipmapOES: levels 1 and up from level 0. canGenerateMipmaps: there is a level 0 on every face,
   // and faces agree. False: out of memory.
   bool canGenerateMipmaps() const;

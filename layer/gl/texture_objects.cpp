@@ -60,6 +60,7 @@ bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
     fixed.edges = {edgeOf(texture.sampler.wrapS, texture.sampler),
                    edgeOf(texture.sampler.wrapT, texture.sampler),
                    edgeOf(texture.sampler.wrapR, texture.sampler)};
+    fixed.lateSwitchOver = texture.switchesLate();
     return true;
   }
   return true;

@@ -60,6 +60,7 @@ const std::vector<MesaRemark>& mesaRemarks() {
       {"3.3: the distance is from the eye to the vertex; Mesa takes its depth alone", {"points/attenuated"}},
       {"3.3.1: coverage is the area of the circle inside the pixel; Mesa takes a ramp over the rim",
        {"points/smooth"}},
+      {"3.7.8: c is 0.5 for this pair of filters; Mesa switches over at 0", {"mipmaps/switch-over at 0.5"}},
       {"2.1.1: its matrices are float32, which moves far surfaces by more than a step of the depth buffer",
        {"depth/1e-6 to 1e6"}},
       {"2.1.1: its matrices are float32, rounding adds up",
@@ -81,9 +82,6 @@ const std::vector<MesaRemark>& mesaRemarks() {
 }
 
 constexpr Remark kDeviations[] = {
-    {"mipmaps/switch-over at 0.5",
-     "3.7.7 has c = 0.5 for this pair of filters; Vulkan (and Mesa) switch over at 0"},
-    {"points/smooth", "3.3 wants the covered area; ours takes the distance of the centre from the rim"},
     {"coordinates/1e9 clamped",
      "the driver converts texel coordinates to 32-bit integers before it clamps them"},
     {"denormals/positions", "2.1.1 leaves the result open; the driver flushes denormals to 0"},

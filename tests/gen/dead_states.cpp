@@ -123,6 +123,16 @@ std::vector<DeadState> textureStates() {
        [](State& s) {
          s.units[0].env.color = {1, 1, 0, 1};
        }},
+      {"the switch-over of a disabled unit", texturedState(),
+       [](State& s) { s.units[3].lateSwitchOver = true; }},
+      {"the switch-over of a unit that REPLACE makes dead", replaced,
+       [](State& s) { s.units[0].lateSwitchOver = true; }},
+      {"the switch-over of constant coordinates",
+       with(texturedState(), [](State& s) { s.attributes[kTexCoord0].array = false; }),
+       [](State& s) { s.units[0].lateSwitchOver = true; }},
+      {"the switch-over of points",
+       with(texturedState(), [](State& s) { s.primitive = PrimitiveClass::Points; }),
+       [](State& s) { s.units[0].lateSwitchOver = true; }},
       {"bias of the level of detail", texturedState(), [](State& s) { s.units[0].env.lodBias = 2; }},
       {"COORD_REPLACE for triangles", texturedState(), [](State& s) { s.units[0].env.coordReplace = true; }},
       {"COORD_REPLACE without sprites",

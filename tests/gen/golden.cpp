@@ -50,6 +50,12 @@ TEST(Golden, Textured) {
   expectGolden("textured", s);
 }
 
+TEST(Golden, LateSwitchOver) {
+  State s = texturedState(GL_RGBA, 2);
+  s.units[0].lateSwitchOver = true;
+  expectGolden("late_switch_over", s);
+}
+
 TEST(Golden, FixedPoint) {
   State s = texturedState();
   enableArray(s, kPosition, 3, GL_FIXED);

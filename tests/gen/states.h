@@ -182,6 +182,7 @@ class RandomStates {
                       ? TextureTarget::None
                       : pick({TextureTarget::Texture2D, TextureTarget::CubeMap, TextureTarget::Texture3D});
     unit.baseFormat = pick<GLenum>({GL_ALPHA, GL_LUMINANCE, GL_LUMINANCE_ALPHA, GL_RGB, GL_RGBA});
+    unit.lateSwitchOver = coin(4);
     unit.texGen = coin(4);
     unit.texGenMode = pick<GLenum>({GL_REFLECTION_MAP_OES, GL_NORMAL_MAP_OES});
     unit.matrix = matrix();

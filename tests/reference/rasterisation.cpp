@@ -97,6 +97,19 @@ double coveredArea(std::vector<glm::dvec2> polygon, double x, double y) {
   return std::abs(area) / 2;
 }
 
+// The part of the unit square at (0, 0) that lies inside a circle, by columns.
+double coveredByCircle(const glm::dvec2& center, double radius) {
+  constexpr int kColumns = 512;
+  double area = 0;
+  for (int i = 0; i < kColumns; ++i) {
+    const double x = (i + 0.5) / kColumns - center.x, squared = radius * radius - x * x;
+    if (squared <= 0) continue;
+    const double half = std::sqrt(squared);
+    area += std::max(0.0, std::min(1.0, center.y + half) - std::max(0.0, center.y - half)) / kColumns;
+  }
+  return area;
+}
+
 }  // namespace
 
 Rasteriser::Rasteriser(const render::State& state) : state_(state) {
@@ -452,13 +465,9 @@ void Rasteriser::point(const WindowPrimitive& primitive, int fromRow, int toRow,
           if (inside(x + kFourSamples[s].x, yDown ? y + 1 - kFourSamples[s].y : y + kFourSamples[s].y))
             fragment.samples |= 1u << s;
         if (fragment.samples == 0) continue;
-      } else if (round) {  // the circle's area in this square, by 32 x 32 sub-squares
-        int covered = 0;
-        for (int j = 0; j < 32; ++j)
-          for (int i = 0; i < 32; ++i)
-            if (inside(x + (i + 0.5) / 32, y + (j + 0.5) / 32)) ++covered;
-        if (covered == 0) continue;
-        fragment.coverage = covered / 1024.0;
+      } else if (round) {
+        fragment.coverage = coveredByCircle(center - glm::dvec2(x, y), radius);
+        if (fragment.coverage == 0) continue;
       } else if (!inside(x + 0.5, y + 0.5)) {
         continue;
       }

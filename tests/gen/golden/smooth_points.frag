@@ -5,11 +5,18 @@ layout(location = 0) out vec4 fragment;
 layout(location = 0) in vec4 frontColor;
 layout(location = 3) flat in float diameter;
 
-// How much of a pixel the circle covers, at most its area; the rasterised square is a pixel wider than the circle.
+// Section 3.3.1: the part of a pixel that lies inside the circle, by 16 columns; the rasterised square is a pixel wider
+// than the circle. Turned so that the rim is flattest over the columns.
 float pointCoverage(vec2 coord, float diameter) {
-  float fromCentre = length(coord - 0.5) * (diameter + 1.0);
-  float area = 0.7853982 * diameter * diameter;
-  return clamp(0.5 * diameter + 0.5 - fromCentre, 0.0, min(area, 1.0));
+  vec2 pixel = abs(coord - 0.5) * (diameter + 1.0);
+  if (pixel.x > pixel.y) pixel = pixel.yx;
+  float area = 0.0;
+  for (int i = 0; i < 16; ++i) {
+    float x = pixel.x + (float(i) + 0.5) / 16.0 - 0.5;
+    float rim = sqrt(max(0.25 * diameter * diameter - x * x, 0.0));
+    area += max(min(pixel.y + 0.5, rim) - max(pixel.y - 0.5, -rim), 0.0) / 16.0;
+  }
+  return area;
 }
 
 void main() {
