@@ -19,6 +19,7 @@
 #include "room/demo.h"
 #include "room/picture.h"
 #include "room/progress.h"
+#include "water/water.h"
 
 namespace {
 
@@ -30,6 +31,8 @@ const std::vector<room::DemoEntry>& demos() {
        particles::makeParticles},
       {"postprocessing", "chapel whose bright windows bloom around what stands before them",
        postprocessing::makePostprocessing},
+      {"water", "pool in an atrium: waves that refract and reflect, puddles that mirror the room",
+       water::makeWater},
   };
   return entries;
 }

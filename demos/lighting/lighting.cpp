@@ -12,7 +12,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
-#include <stdexcept>
 
 #include "light_textures.h"
 #include "room/context.h"
@@ -112,9 +111,7 @@ class Lighting final : public room::Demo {
 };
 
 void Lighting::setup() {
-  GLint units = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &units);
-  if (units < kUnits) throw std::runtime_error("lighting needs three texture units");
+  room::requireTextureUnits(kUnits, "lighting");
   scene_.emplace();
   const auto falloff = [](const room::Image& image) {
     return room::makeTexture(image, room::Filter::Nearest, GL_CLAMP_TO_EDGE, GL_ALPHA);

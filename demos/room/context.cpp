@@ -123,6 +123,15 @@ void requireExtension(std::string_view name, std::string_view demo) {
   }
 }
 
+void requireTextureUnits(int units, std::string_view demo) {
+  GLint have = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_UNITS, &have);
+  if (have < units) {
+    throw MissingExtension(
+        fmt::format("{} needs {} texture units, and this implementation has {}", demo, units, have));
+  }
+}
+
 void checkErrors(std::string_view where) {
   std::string errors;
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {

@@ -46,6 +46,9 @@ struct MissingExtension : std::runtime_error {
 // Throws MissingExtension, naming the demo, unless the current context lists the extension.
 void requireExtension(std::string_view name, std::string_view demo);
 
+// The same for texture units.
+void requireTextureUnits(int units, std::string_view demo);
+
 // Throws std::runtime_error that names every GL error since the last call; `where` tells what was running.
 void checkErrors(std::string_view where);
 

@@ -4,6 +4,8 @@
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 
+#include <array>
+#include <glm/glm.hpp>
 #include <string_view>
 
 namespace room {
@@ -52,5 +54,34 @@ class RenderTarget {
   GLuint depth_ = 0;
   GLuint framebuffer_ = 0;
 };
+
+// A cube map with a framebuffer object for each face; all share one depth buffer of 16 bits.
+class CubeTarget {
+ public:
+  // As for RenderTarget; needs GL_OES_texture_cube_map besides.
+  CubeTarget(const FramebufferFunctions& gl, int size);
+  ~CubeTarget();
+  CubeTarget(const CubeTarget&) = delete;
+  CubeTarget& operator=(const CubeTarget&) = delete;
+
+  int size() const { return size_; }
+  // From here on everything is drawn into a face, 0 to 5 for +X -X +Y -Y +Z -Z; the viewport is all of it.
+  void bind(int face) const;
+  void unbind() const;
+  void bindTexture() const { glBindTexture(GL_TEXTURE_CUBE_MAP_OES, texture_); }
+
+ private:
+  void destroy();
+
+  const FramebufferFunctions* gl_;
+  int size_;
+  GLuint texture_ = 0;
+  GLuint depth_ = 0;
+  std::array<GLuint, 6> framebuffers_{};
+};
+
+// What a camera at a point sees through a face of a cube map: 90 degrees, aspect 1.
+glm::dmat4 cubeFaceCamera(int face, const glm::dvec3& eye);
+glm::dmat4 cubeFaceProjection(double near, double far);
 
 }  // namespace room

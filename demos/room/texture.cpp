@@ -38,8 +38,10 @@ GLenum formatOf(const Image& image, GLenum singleChannel) {
       return singleChannel;
     case 2:
       return GL_LUMINANCE_ALPHA;
-    default:
+    case 3:
       return GL_RGB;
+    default:
+      return GL_RGBA;
   }
 }
 

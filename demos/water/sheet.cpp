@@ -1,0 +1,131 @@
+#include "sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "atrium.h"
+#include "measures.h"
+
+namespace water {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+
+constexpr double kAirToWater = 1 / 1.33;
+constexpr dvec3 kAbsorption(0.55, 0.16, 0.12);  // a metre
+
+// Where a ray from a point in the water meets the bottom or a wall.
+struct PoolHit {
+  dvec2 unfolded;
+  double length;
+};
+PoolHit hitPool(const dvec3& from, const dvec3& direction) {
+  const dvec2 ground(from.x, from.z);
+  const dvec2 along(direction.x, direction.z);
+  double t = (kPoolBottom - from.y) / std::min(direction.y, -1e-3);
+  int wall = -1;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (std::abs(along[axis]) < 1e-9) continue;
+    const double toWall = (std::copysign(kPoolHalf[axis], along[axis]) - ground[axis]) / along[axis];
+    if (toWall < t) {
+      t = std::max(toWall, 0.0);
+      wall = axis;
+    }
+  }
+  dvec2 unfolded = glm::clamp(ground + along * t, -kPoolHalf, kPoolHalf);
+  // A wall is folded down about its foot.
+  if (wall >= 0) unfolded[wall] += std::copysign(from.y + direction.y * t - kPoolBottom, along[wall]);
+  return {unfolded, t};
+}
+
+// Schlick's approximation of Fresnel's formula, with a little more than nature's share at right angles.
+double reflected(double cosine) {
+  const double grazing = 1 - std::clamp(cosine, 0.0, 1.0);
+  return 0.09 + 0.91 * std::pow(grazing, 3.2);
+}
+
+}  // namespace
+
+dvec2 latticePoint(int column, int row) {
+  return (dvec2(column, row) / double{kLattice - 1} * 2.0 - 1.0) * kPoolHalf;
+}
+
+Sheet::Sheet() : vertices_(latticeIndex(0, kLattice)) {
+  for (int row = 0; row + 1 < kLattice; ++row) {
+    for (int column = 0; column + 1 < kLattice; ++column) {
+      const std::size_t a = latticeIndex(column, row);
+      const std::size_t b = a + kLattice;
+      for (std::size_t index : {a, b, b + 1, a, b + 1, a + 1})
+        indices_.push_back(static_cast<std::uint16_t>(index));
+    }
+  }
+}
+
+void Sheet::update(const Heights& heights, const dvec3& eye) {
+  const dvec2 cell = 2.0 * kPoolHalf / double{kLattice - 1};
+  for (int row = 0; row < kLattice; ++row) {
+    const int below = std::max(row - 1, 0);
+    const int above = std::min(row + 1, kLattice - 1);
+    for (int column = 0; column < kLattice; ++column) {
+      const int left = std::max(column - 1, 0);
+      const int right = std::min(column + 1, kLattice - 1);
+      const double slopeX =
+          (heights[latticeIndex(right, row)] - heights[latticeIndex(left, row)]) / (cell.x * (right - left));
+      const double slopeZ = (heights[latticeIndex(column, above)] - heights[latticeIndex(column, below)]) /
+                            (cell.y * (above - below));
+      const dvec3 normal = glm::normalize(dvec3(-slopeX, 1, -slopeZ));
+      const dvec2 place = latticePoint(column, row);
+      const dvec3 local(place.x, kWaterLevel + heights[latticeIndex(column, row)], place.y);
+      const dvec3 position = local + dvec3(kPoolCenter.x, 0, kPoolCenter.y);
+      const dvec3 view = glm::normalize(position - eye);
+      const PoolHit hit = hitPool(local, glm::refract(view, normal, kAirToWater));
+      Vertex& v = vertices_[latticeIndex(column, row)];
+      v.position = position;
+      v.normal = normal;
+      v.uv = poolTexCoord(hit.unfolded);
+      v.color = glm::vec4(glm::exp(-kAbsorption * hit.length), reflected(-glm::dot(view, normal)));
+    }
+  }
+}
+
+Sheet::Point Sheet::at(dvec2 place) const {
+  const dvec2 at =
+      glm::clamp((place / kPoolHalf + 1.0) * (0.5 * (kLattice - 1)), dvec2(0), dvec2(kLattice - 1.001));
+  const int column = static_cast<int>(at.x);
+  const int row = static_cast<int>(at.y);
+  const dvec2 part = at - dvec2(column, row);
+  Point point{0, dvec3(0)};
+  for (int i = 0; i < 4; ++i) {
+    const int right = i & 1;
+    const int above = i >> 1;
+    const double weight = (right == 1 ? part.x : 1 - part.x) * (above == 1 ? part.y : 1 - part.y);
+    const Vertex& v = vertices_[latticeIndex(column + right, row + above)];
+    point.height += weight * (static_cast<double>(v.position.y) - kWaterLevel);
+    point.normal += weight * dvec3(v.normal);
+  }
+  point.normal = glm::normalize(point.normal);
+  return point;
+}
+
+void Sheet::bindPositions() const {
+  glVertexPointer(3, GL_FLOAT, sizeof(Vertex), &vertices_.front().position);
+}
+
+void Sheet::bindNormals() const {
+  glNormalPointer(GL_FLOAT, sizeof(Vertex), &vertices_.front().normal);
+}
+
+void Sheet::bindColors() const {
+  glColorPointer(4, GL_FLOAT, sizeof(Vertex), &vertices_.front().color);
+}
+
+void Sheet::bindTexCoords() const {
+  glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), &vertices_.front().uv);
+}
+
+void Sheet::draw() const {
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_SHORT, indices_.data());
+}
+
+}  // namespace water
