@@ -57,9 +57,11 @@
 // Commands of extensions: found by eglGetProcAddress alone.
 #define ANTEROOM_EGL_EXTENSION_COMMANDS(X) \
   X(eglClientWaitSyncKHR)                  \
+  X(eglCreateImageKHR)                     \
   X(eglCreatePlatformPixmapSurfaceEXT)     \
   X(eglCreatePlatformWindowSurfaceEXT)     \
   X(eglCreateSyncKHR)                      \
+  X(eglDestroyImageKHR)                    \
   X(eglDestroySyncKHR)                     \
   X(eglGetPlatformDisplayEXT)              \
   X(eglGetSyncAttribKHR)                   \

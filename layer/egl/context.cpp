@@ -99,7 +99,9 @@ EGLContext EGLAPIENTRY eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLCon
     Display& display = initializedDisplay(dpy);
     std::optional<Config> with;
     if (config != EGL_NO_CONFIG_KHR) with = display.config(config);
-    const ContextAttributes attributes = parse(attrib_list);
+    ContextAttributes attributes = parse(attrib_list);
+    attributes.options.findImage = findImage;
+    attributes.options.display = &display;
     const auto shared = findShared(display, share_context, attributes);
     auto front =
         gl::createContext(*display.device(), shared ? shared->gl.get() : nullptr, attributes.options);

@@ -67,6 +67,7 @@ void Display::initialize() {
 
 void Display::terminate() {
   syncs.clear();
+  images.clear();
   surfaces.clear();
   contexts.clear();
   configs_.clear();

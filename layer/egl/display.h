@@ -10,6 +10,7 @@
 #include "layer/egl/config.h"
 #include "layer/egl/context.h"
 #include "layer/egl/handles.h"
+#include "layer/egl/image.h"
 #include "layer/egl/surface.h"
 #include "layer/egl/sync.h"
 
@@ -37,6 +38,7 @@ class Display {
   std::shared_ptr<Sync> sync(EGLSync handle) const;
 
   Handles<Context> contexts;
+  Handles<Image> images;
   Handles<Surface> surfaces;
   Handles<Sync> syncs;
 

@@ -11,6 +11,7 @@
 namespace anteroom::gl {
 
 constinit thread_local Context* currentContextOfThread = nullptr;
+constinit std::mutex sharedImagesMutex;
 
 namespace {
 

@@ -33,6 +33,9 @@ struct Texture;       // texture.h: `GLuint name` and the rest
 struct Renderbuffer;  // framebuffer_object.h
 struct FramebufferObject;
 
+// Held, after the group's own, by who uses images of several groups (OES_EGL_image).
+extern std::mutex sharedImagesMutex;
+
 // Textures and buffers of contexts that share. A context alone in its group pays nothing for the lock.
 class ShareGroup {
  public:
@@ -55,6 +58,9 @@ class ShareGroup {
 
   std::atomic<int> contexts{0};
   std::mutex mutex;
+  // Whether it ever had an EGLImage's sibling. Changes while nobody but the one who changes it is in a
+  // command of the group.
+  std::atomic<bool> sharesImages{false};
 };
 
 class ShareLock {
@@ -62,8 +68,11 @@ class ShareLock {
   explicit ShareLock(ShareGroup& group)
       : mutex_(group.contexts.load(std::memory_order_relaxed) > 1 ? &group.mutex : nullptr) {
     if (mutex_) mutex_->lock();
+    images_ = group.sharesImages.load(std::memory_order_relaxed);
+    if (images_) sharedImagesMutex.lock();
   }
   ~ShareLock() {
+    if (images_) sharedImagesMutex.unlock();
     if (mutex_) mutex_->unlock();
   }
   ShareLock(const ShareLock&) = delete;
@@ -71,6 +80,7 @@ class ShareLock {
 
  private:
   std::mutex* mutex_;
+  bool images_;
 };
 
 // Limits that queries report (Tables 6.19 to 6.21).
@@ -85,11 +95,12 @@ struct MatrixStack {
   int depth = 1;
 };
 
-enum TextureSlot : uint8_t { kSlot2D, kSlotCube, kSlot3D, kSlotCount };
+enum TextureSlot : uint8_t { kSlot2D, kSlotCube, kSlot3D, kSlotExternal, kSlotCount };
 
 struct UnitBindings {
   std::array<std::shared_ptr<Texture>, kSlotCount> bound;  // never null: name 0 is a default texture
   std::array<bool, kSlotCount> enabled{};
+  TextureSlot sampled = kSlotCount;  // what the last draw sampled; kSlotCount: nothing
 };
 
 // Section 2.8. An array as the program described it; the renderer's view of it is made at the draw.

@@ -44,10 +44,9 @@ std::array<Corner, 4> cornersOf(const Context& c, const Box& box) {
     corners[i].position = {(box.x + right * box.width) * 2 / framebuffer.width - 1,
                            (box.y + top * box.height) * 2 / framebuffer.height - 1};
     for (size_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
-      const gen::TextureTarget target = c.state.fixed.units[unit].target;
-      if (target == gen::TextureTarget::None) continue;
-      const Texture& texture =
-          *c.units[unit].bound[target == gen::TextureTarget::CubeMap ? kSlotCube : kSlot2D];
+      const UnitBindings& bindings = c.units[unit];
+      if (bindings.sampled == kSlotCount) continue;
+      const Texture& texture = *bindings.bound[bindings.sampled];
       const auto& crop = texture.cropRect;
       const TextureLevel& base = texture.at(0, 0);
       corners[i].texCoord[unit] = {(crop[0] + right * crop[2]) / base.width,

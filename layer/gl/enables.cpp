@@ -34,6 +34,8 @@ Capability capabilityOf(Context& c, GLenum name) {
       return {&unit.enabled[kSlot2D], gen::kGroupTextures};
     case GL_TEXTURE_CUBE_MAP_OES:
       return {&unit.enabled[kSlotCube], gen::kGroupTextures};
+    case GL_TEXTURE_EXTERNAL_OES:
+      return {&unit.enabled[kSlotExternal], gen::kGroupTextures};
     case GL_TEXTURE_GEN_STR_OES:
       return {&fixed.units[c.activeTexture].texGen, gen::kGroupTextures};
     case GL_FOG:

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "layer/gl/context.h"
+#include "layer/gl/shared_image.h"
 
 namespace anteroom::gl {
 
@@ -12,6 +13,11 @@ struct Renderbuffer {
   GLenum internalFormat = GL_RGBA4_OES;  // as specified
   int width = 0, height = 0;             // pixels
   std::shared_ptr<render::Image> image;  // null: no storage
+  std::shared_ptr<SharedImage> shared;   // a sibling of an EGLImage, which is a part of `image`
+
+  render::Attachment attachment() const {
+    return {image, shared ? shared->level : 0, shared ? shared->layer : 0};
+  }
 };
 
 // What is attached at one point: a level of a texture, a renderbuffer, or nothing.

@@ -87,7 +87,7 @@ GLenum statusOf(const Context& c, const FramebufferObject& object) {
 bool resolve(Context& c, const AttachmentPoint& point, render::Attachment& out) {
   if (point.empty()) return true;
   if (point.renderbuffer) {
-    out = {point.renderbuffer->image, 0, 0};
+    out = point.renderbuffer->attachment();
   } else {
     out = point.texture->attachment(c, point.face, point.level);
   }
@@ -291,7 +291,7 @@ GL_API void GL_APIENTRY glGenerateMipmapOES(GLenum target) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (slot == kSlotCount || slot == kSlotExternal) return c->setError(GL_INVALID_ENUM);
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, slot);
   if (!texture.canGenerateMipmaps()) return c->setError(GL_INVALID_OPERATION);

@@ -44,6 +44,7 @@ Context::~Context() {
     boundRenderbuffer.reset();
     units = {};
     defaultTextures = {};
+    renderer.reset();
   }
   --group->contexts;
 }

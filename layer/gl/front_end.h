@@ -10,13 +10,19 @@
 
 namespace anteroom::gl {
 
-class Context;     // layer/gl/context.h
-class ShareGroup;  // texture and buffer objects that contexts share
+class Context;       // layer/gl/context.h
+class ShareGroup;    // texture and buffer objects that contexts share
+struct SharedImage;  // what an EGLImage shows: layer/gl/shared_image.h
+
+// What an EGLImage of a display shows. Null: no such image. Called without any lock of GL's.
+using FindImage = std::shared_ptr<SharedImage> (*)(void* display, void* image);
 
 struct ContextOptions {
   bool debug = false;
   bool noError = false;
   bool robustAccess = false;
+  FindImage findImage = nullptr;
+  void* display = nullptr;  // for findImage
 };
 
 // A context on `device`. `shareWith` null: a share group of its own. Null: out of memory.
@@ -42,6 +48,25 @@ void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuf
 // is still bound.
 bool bindTexImage(Context& context, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha);
 void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& image);
+
+// eglCreateImage: a level of a texture (TEXTURE_2D or a face of a cube map), or a renderbuffer, by which
+// textures and renderbuffers of all share groups on the device can then be defined. Its contents stay. No
+// other thread has `context`, or others share with it.
+struct ImageSource {
+  GLenum target = 0;  // TEXTURE_2D, TEXTURE_CUBE_MAP_POSITIVE_X_OES and so on, RENDERBUFFER_OES
+  GLuint name = 0;
+  GLint level = 0;
+};
+enum class ShareStatus : uint8_t {
+  Shared,
+  NoSource,  // no such object, not complete, or multisampled
+  NoLevel,   // the texture has no such level
+  Taken,     // it has siblings already, or a pbuffer is bound to it
+  OutOfMemory,
+};
+ShareStatus shareImage(Context& context, const ImageSource& source, std::shared_ptr<SharedImage>& image);
+// Whether another context shares objects with this one.
+bool hasCompany(const Context& context);
 
 render::Context& rendererOf(Context& context);
 

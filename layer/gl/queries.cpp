@@ -364,6 +364,9 @@ bool getTexturesPixelsAndHints(Context& c, GLenum name, Results& results) {
     case GL_TEXTURE_BINDING_CUBE_MAP_OES:
       results.integer(unit.bound[kSlotCube]->name);
       return true;
+    case GL_TEXTURE_BINDING_EXTERNAL_OES:
+      results.integer(unit.bound[kSlotExternal]->name);
+      return true;
     case GL_ACTIVE_TEXTURE:
       results.enumerant(GL_TEXTURE0 + static_cast<GLenum>(c.activeTexture));
       return true;

@@ -124,6 +124,7 @@ GL_API void GL_APIENTRY glRenderbufferStorageOES(GLenum target, GLenum internalf
   renderbuffer->width = width;
   renderbuffer->height = height;
   renderbuffer->image = std::move(image);
+  renderbuffer->shared.reset();
   c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
 }
 

@@ -26,6 +26,8 @@ int levelCountFor(TextureSlot slot, const render::Caps& caps) {
       return log2Floor(std::max(caps.maxTextureSize, 1)) + 1;
     case kSlotCube:
       return log2Floor(std::max(caps.maxCubeMapSize, 1)) + 1;
+    case kSlotExternal:
+      return 1;
     default:
       return log2Floor(std::max(caps.maxVolumeSize, 1)) + 1;
   }
@@ -47,6 +49,14 @@ std::unique_ptr<std::byte[]> allocateTexels(int width, int height, Format format
 Texture::Texture(GLuint textureName, TextureSlot textureSlot, const render::Caps& caps)
     : name(textureName), slot(textureSlot), levels_() {
   levels_.resize(static_cast<size_t>(faces() * levelCountFor(slot, caps)));
+  if (slot != kSlotExternal) return;
+  // OES_EGL_image_external, 3.7.10 and 3.7.14. Without an image, samples are (0, 0, 0, 1).
+  sampler.minFilter = GL_LINEAR;
+  sampler.wrapS = sampler.wrapT = GL_CLAMP_TO_EDGE;
+  TextureLevel& black = edit(0, 0);
+  black.width = black.height = 1;
+  black.internalFormat = GL_RGB;
+  black.format = Format::RGB8;
 }
 
 void Texture::changed(Context& c) {
@@ -60,7 +70,7 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
                       const PixelRows& rows) {
   TextureLevel& t = edit(face, level);
   const bool empty = width == 0 || height == 0;
-  const bool inPlace = !import_ && t.home && t.width == width && t.height == height &&
+  const bool inPlace = !import_ && !hasShared() && t.home && t.width == width && t.height == height &&
                        t.format == rows.format && t.internalFormat == internalFormat;
   if (!inPlace) {
     std::unique_ptr<std::byte[]> texels;
@@ -83,6 +93,7 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
 bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
                       Format format, std::unique_ptr<std::byte[]> texels) {
   if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
+  if (!orphan(c, face, level)) return false;
   releaseImport(c);
   TextureLevel specified;
   specified.width = width;
@@ -125,6 +136,7 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
   if (width == 0 || height == 0)
     return specify(c, face, level, width, height, internalFormat, format, nullptr);
   if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
+  if (!orphan(c, face, level)) return false;
 
   const TextureLevel& old = at(face, level);
   Place place;
@@ -182,6 +194,7 @@ void Texture::import(Context& c, const std::shared_ptr<render::Image>& image, GL
   base.format = image->desc().format;
   base.home = image;
   image_ = import_ = image;
+  target_ = false;
   changed(c);
   baseChanged(c, 0);
 }
@@ -259,6 +272,7 @@ bool Texture::canGenerateMipmaps() const {
 
 // At once: level 0 may be drawn to before a derived level is needed.
 bool Texture::generateMipmaps(Context& c) {
+  if (!holdsChain(chainLength(at(0, 0).width, at(0, 0).height)) && !orphan(c)) return false;
   for (int face = 0; face < faces(); ++face) deriveChain(c, face);
   return realise(c, chainLength(at(0, 0).width, at(0, 0).height));
 }
@@ -288,7 +302,10 @@ void Texture::baseChanged(Context& c, int face) {
   if (base.null() || !derives(base.internalFormat)) return;
   const int length = chainLength(base.width, base.height);
   if (import_ && import_->desc().levels < length) return;  // EGL_MIPMAP_TEXTURE is off
+  if (!holdsChain(length) && !orphan(c)) return c.setError(GL_OUT_OF_MEMORY);
   deriveChain(c, face);
+  // Siblings do not ask for what is put off.
+  if (hasShared() && !realise(c, length)) c.setError(GL_OUT_OF_MEMORY);
 }
 
 void Texture::deriveChain(Context& c, int face) {
@@ -301,6 +318,7 @@ void Texture::deriveChain(Context& c, int face) {
     derived.internalFormat = base.internalFormat;
     derived.format = base.format;
     derived.derived = true;
+    derived.shared = at(face, level).shared;
     edit(face, level) = std::move(derived);
   }
   changed(c);

@@ -16,12 +16,14 @@
 
 #include "layer/gl/context.h"
 #include "layer/gl/pixel.h"
+#include "layer/gl/shared_image.h"
 #include "layer/render/renderer.h"
 
 namespace anteroom::gl {
 
 struct TextureLevel {
   bool null() const { return width <= 0 || height <= 0; }
+  bool isShared() const;  // a sibling of an EGLImage
 
   int width = 0, height = 0;  // texels
   GLenum internalFormat = 1;  // as specified: a base format or a paletted one (section 3.7.10)
@@ -30,7 +32,8 @@ struct TextureLevel {
   // Where the texels are: at most one of these. Neither: they are undefined, or derived.
   std::unique_ptr<std::byte[]> pending;  // rows of `format` without gaps
   std::shared_ptr<render::Image> home;
-  int homeLevel = 0;     // of home; its layer is the face for a cube map, else 0
+  int homeLevel = 0;                    // of home; its layer is the face for a cube map, else 0
+  std::shared_ptr<SharedImage> shared;  // counts as long as home is its image
   bool derived = false;  // to be computed from level 0 (section 3.7.7, automatic mipmap generation)
 };
 
@@ -80,6 +83,13 @@ struct Texture {
   bool imported(const std::shared_ptr<render::Image>& image) const { return image && import_ == image; }
   void releaseImport(Context& c);
 
+  // OES_EGL_image: level 0 becomes a sibling of `image`, all other levels are gone.
+  void adopt(Context& c, const std::shared_ptr<SharedImage>& image);
+  // Makes a level of a face one that an image can be created from.
+  ShareStatus share(Context& c, int face, int level, std::shared_ptr<SharedImage>& image);
+  // The part of the image that is sampled; null: all of it.
+  const SharedImage* sampledPart() const;
+
   // Section 3.7.9 and OES_texture_cube_map: whether texturing with it is on at all. baseFormat() then says
   // what its texels are.
   bool complete() const;
@@ -122,6 +132,12 @@ struct Texture {
   void deriveChain(Context& c, int face);
   bool baseComplete() const;
 
+  // texture_sharing.cpp. An EGLImage's siblings are left as soon as a level is specified.
+  bool hasShared() const;
+  bool holdsChain(int length) const;
+  int consistentLevels() const;
+  bool orphan(Context& c, int exceptFace = -1, int exceptLevel = -1);
+
   // texture_storage.cpp. All but the first two: false, or no image, when out of memory.
   Place placeOf(int face, int level) const;
   bool usable(const std::shared_ptr<render::Image>& image, render::Format format, int width, int height,
@@ -140,6 +156,7 @@ struct Texture {
   std::vector<TextureLevel> levels_;       // by face, then level
   std::shared_ptr<render::Image> image_;   // what is sampled, or was
   std::shared_ptr<render::Image> import_;  // image_ belongs to EGL
+  bool target_ = false;                    // of an EGLImage: image_ is the image that it shows a part of
   bool ready_ = false;                     // image_ has what the sampler can select
 };
 

@@ -16,6 +16,7 @@ struct Target {
 // OES_texture_cube_map: when both are enabled, the cube map is used, and when it is not complete the unit is
 // off.
 constexpr Target kByPriority[] = {
+    {kSlotExternal, gen::TextureTarget::Texture2D},  // OES_EGL_image_external: before all others
     {kSlotCube, gen::TextureTarget::CubeMap},
     {kSlot2D, gen::TextureTarget::Texture2D},
 };
@@ -44,9 +45,9 @@ gen::MirroredEdge edgeOf(GLenum wrap, const render::Sampler& sampler) {
 }
 
 // False: out of memory.
-bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
-                 render::TextureBinding& binding) {
+bool resolveUnit(Context& c, UnitBindings& unit, gen::TextureUnit& fixed, render::TextureBinding& binding) {
   fixed.target = gen::TextureTarget::None;
+  unit.sampled = kSlotCount;
   binding.image = nullptr;
   for (const Target& candidate : kByPriority) {
     if (!unit.enabled[candidate.slot]) continue;
@@ -55,6 +56,10 @@ bool resolveUnit(Context& c, const UnitBindings& unit, gen::TextureUnit& fixed,
     binding.image = texture.sampled(c).get();
     if (!binding.image) return false;
     binding.sampler = texture.sampler;
+    const SharedImage* part = texture.sampledPart();
+    binding.onlyLevel = part ? part->level : -1;
+    binding.onlyLayer = part ? part->layer : 0;
+    unit.sampled = candidate.slot;
     fixed.target = candidate.target;
     fixed.baseFormat = texture.baseFormat();
     fixed.edges = {edgeOf(texture.sampler.wrapS, texture.sampler),
@@ -74,6 +79,8 @@ TextureSlot bindingSlot(GLenum target) {
       return kSlot2D;
     case GL_TEXTURE_CUBE_MAP_OES:
       return kSlotCube;
+    case GL_TEXTURE_EXTERNAL_OES:
+      return kSlotExternal;
     default:
       return kSlotCount;
   }

@@ -9,16 +9,18 @@ namespace render = anteroom::render;
 
 namespace {
 
-bool isMinFilter(GLenum value) {
-  return value == GL_NEAREST || value == GL_LINEAR ||
-         (value >= GL_NEAREST_MIPMAP_NEAREST && value <= GL_LINEAR_MIPMAP_LINEAR);
+bool isMinFilter(TextureSlot slot, GLenum value) {
+  if (value == GL_NEAREST || value == GL_LINEAR) return true;
+  return slot != kSlotExternal && (value >= GL_NEAREST_MIPMAP_NEAREST && value <= GL_LINEAR_MIPMAP_LINEAR);
 }
 bool isMagFilter(GLenum value) {
   return value == GL_NEAREST || value == GL_LINEAR;
 }
-bool isWrapMode(GLenum value) {
-  return value == GL_REPEAT || value == GL_CLAMP_TO_EDGE || value == GL_MIRRORED_REPEAT_OES ||
-         value == gen::kMirrorClamp || value == gen::kMirrorClampToEdge || value == gen::kMirrorClampToBorder;
+bool isWrapMode(TextureSlot slot, GLenum value) {
+  if (value == GL_CLAMP_TO_EDGE) return true;
+  return slot != kSlotExternal &&
+         (value == GL_REPEAT || value == GL_MIRRORED_REPEAT_OES || value == gen::kMirrorClamp ||
+          value == gen::kMirrorClampToEdge || value == gen::kMirrorClampToBorder);
 }
 
 template <class T>
@@ -42,14 +44,15 @@ void setParameter(GLenum target, GLenum pname, const Params& params) {
   const GLenum value = params.enumerant();
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
-      return assign(*c, texture, sampler.minFilter, value, isMinFilter(value));
+      return assign(*c, texture, sampler.minFilter, value, isMinFilter(slot, value));
     case GL_TEXTURE_MAG_FILTER:
       return assign(*c, texture, sampler.magFilter, value, isMagFilter(value));
     case GL_TEXTURE_WRAP_S:
-      return assign(*c, texture, sampler.wrapS, value, isWrapMode(value));
+      return assign(*c, texture, sampler.wrapS, value, isWrapMode(slot, value));
     case GL_TEXTURE_WRAP_T:
-      return assign(*c, texture, sampler.wrapT, value, isWrapMode(value));
+      return assign(*c, texture, sampler.wrapT, value, isWrapMode(slot, value));
     case GL_GENERATE_MIPMAP:
+      if (slot == kSlotExternal && params.boolean()) return c->setError(GL_INVALID_ENUM);
       texture.generateMipmap = params.boolean();
       return;
     case GL_TEXTURE_MAX_ANISOTROPY_EXT:
@@ -102,6 +105,8 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form)
       return results.number(texture.sampler.maxAnisotropy);
     case GL_TEXTURE_MAX_LEVEL_APPLE:
       return results.integer(texture.sampler.maxLevel);
+    case GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES:
+      return results.integer(1);
     case GL_TEXTURE_CROP_RECT_OES:
       for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
       return;

@@ -33,6 +33,7 @@ bool covers(const render::Framebuffer& framebuffer, const render::Rect& rect) {
 
 Texture::Place Texture::placeOf(int face, int level) const {
   const TextureLevel& t = at(face, level);
+  if (t.isShared()) return {t.shared->image, t.shared->level, t.shared->layer};
   return {t.home, t.homeLevel, t.home && t.home->desc().dimension == Dimension::Cube ? face : 0};
 }
 
@@ -190,7 +191,7 @@ bool Texture::realise(Context& c, int levelCount) {
 const std::shared_ptr<Image>& Texture::sampled(Context& c) {
   static const std::shared_ptr<Image> kNone;
   if (ready_) return image_;
-  if (!realise(c, sampledLevels())) return kNone;
+  if (!target_ && !realise(c, sampledLevels())) return kNone;
   ready_ = true;
   return image_;
 }

@@ -1,9 +1,9 @@
 // The seam: what any renderer offers to the GL and EGL front ends. No Vulkan here.
 //
-// A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group
-// and are held by shared_ptr: a renderer keeps what the GPU still uses alive after the last reference is
-// gone. Device is thread-safe. A Context, and the images and buffers it uses, are used by one thread at a
-// time: the front end sees to that. Functions that can run out of memory say so by their result and change
+// A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group,
+// images of EGLImages to several, and are held by shared_ptr: a renderer keeps what the GPU still uses alive
+// after the last reference is gone. Device is thread-safe. A Context, and the images and buffers it uses, are
+// used by one thread at a time: the front end sees to that. Functions that can run out of memory say so by their result and change
 // nothing.
 #pragma once
 
@@ -136,7 +136,8 @@ class Context {
   virtual void finish() = 0;
 
   // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed. Any
-  // thread may wait, also while another uses the context.
+  // thread may wait, in any context of the device, also while others use it. What a context is told after
+  // another one's fence was inserted is done after that fence.
   virtual uint64_t insertFence() = 0;
   virtual bool waitFence(uint64_t fence, uint64_t timeout) = 0;
 

@@ -53,6 +53,10 @@ struct Sampler {
 struct TextureBinding {
   Image* image = nullptr;
   Sampler sampler;
+  // A part of the image, sampled as a flat image of one level would be: this level of this cube face. -1: all
+  // of it.
+  int onlyLevel = -1;
+  int onlyLayer = 0;
 };
 
 // Where an enabled array's data lie: `buffer` null: `pointer` is client memory; otherwise it is an offset in

@@ -189,7 +189,12 @@ class VulkanContext final : public render::Context {
   Constants vertexConstants_, fragmentConstants_, paletteConstants_;
   std::array<VkImageView, gen::kMaxTextureUnits> views_{};
   std::array<VkSampler, gen::kMaxTextureUnits> samplers_{};
-  std::array<VulkanImage*, gen::kMaxTextureUnits> sampled_{};
+  // An image, or one level of one of its layers (onlyLevel >= 0).
+  struct Sampled {
+    VulkanImage* image;
+    int onlyLevel, onlyLayer;
+  };
+  std::array<Sampled, gen::kMaxTextureUnits> sampled_{};
   uint32_t drawsSinceSubmit_ = 0;
   mutable render::Stats stats_;
 };

@@ -166,18 +166,22 @@ bool VulkanContext::fetchTextures(const render::State& state) {
     if (changed) {
       const render::TextureBinding& binding = state.textures[unit];
       if (!binding.image) return false;
-      sampled_[unit] = static_cast<VulkanImage*>(binding.image);
-      samplers_[unit] = device_.samplers().get(binding.sampler, sampled_[unit]->desc().levels,
-                                               state.fixed.units[unit].env.lodBias);
+      sampled_[unit] = {static_cast<VulkanImage*>(binding.image), binding.onlyLevel, binding.onlyLayer};
+      const int levels = binding.onlyLevel < 0 ? binding.image->desc().levels : 1;
+      samplers_[unit] = device_.samplers().get(binding.sampler, levels, state.fixed.units[unit].env.lodBias);
     }
-    VulkanImage& image = *sampled_[unit];
+    const Sampled& sampled = sampled_[unit];
+    VulkanImage& image = *sampled.image;
     if (image.pending.aspects && !materialise(image)) return false;
     ImageStore* store = readable(image);
     if (!store || !samplers_[unit]) return false;
     const auto& held = heldReadable(image);
     if (commands_.mustWaitToRead(*store) || pass_.attaches(*store)) leavePass(*store, false);
     commands_.read(held);
-    views_[unit] = store->view;
+    views_[unit] = sampled.onlyLevel < 0
+                       ? store->view
+                       : store->partView(sampled.onlyLevel, sampled.onlyLayer, image.format().swizzle);
+    if (!views_[unit]) return false;
   }
   return true;
 }

@@ -99,6 +99,7 @@ ImageStore::~ImageStore() {
   for (const auto& held : legacyFramebuffers)
     fn.vkDestroyFramebuffer(device.handle(), held.framebuffer, nullptr);
   for (const auto& held : attachmentViews) fn.vkDestroyImageView(device.handle(), held.view, nullptr);
+  for (const auto& held : partViews) fn.vkDestroyImageView(device.handle(), held.view, nullptr);
   fn.vkDestroyImageView(device.handle(), view, nullptr);
   fn.vkDestroyImage(device.handle(), image, nullptr);
   device.memory().free(memory);
@@ -111,6 +112,16 @@ VkImageView ImageStore::attachmentView(int level, int layer) {
       createView(*this, VK_IMAGE_VIEW_TYPE_2D, aspects, {},
                  {aspects, static_cast<uint32_t>(level), 1, static_cast<uint32_t>(layer), 1});
   if (made) attachmentViews.push_back({level, layer, made});
+  return made;
+}
+
+VkImageView ImageStore::partView(int level, int layer, const VkComponentMapping& swizzle) {
+  for (const auto& held : partViews)
+    if (held.level == level && held.layer == layer) return held.view;
+  const VkImageView made =
+      createView(*this, VK_IMAGE_VIEW_TYPE_2D, aspects, swizzle,
+                 {aspects, static_cast<uint32_t>(level), 1, static_cast<uint32_t>(layer), 1});
+  if (made) partViews.push_back({level, layer, made});
   return made;
 }
 

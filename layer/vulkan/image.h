@@ -31,6 +31,7 @@ struct ImageStore {
     int level, layer;
     VkImageView view;
   };
+  using PartView = AttachmentView;
   // Without dynamic rendering: this image as color (or as depth, where there is no color) with another one.
   struct LegacyFramebuffer {
     VkRenderPass renderPass;
@@ -41,6 +42,8 @@ struct ImageStore {
   const Plane& plane(int level, int layer) const { return planes[level * layers + layer]; }
   // Null: out of memory.
   VkImageView attachmentView(int level, int layer);
+  // One level of one layer, for sampling.
+  VkImageView partView(int level, int layer, const VkComponentMapping& swizzle);
 
   VulkanDevice& device;
   VkImage image = VK_NULL_HANDLE;
@@ -54,6 +57,7 @@ struct ImageStore {
   std::byte* mapped = nullptr;  // LINEAR: the image's memory
   std::vector<Plane> planes;    // LINEAR only
   std::vector<AttachmentView> attachmentViews;
+  std::vector<PartView> partViews;
   std::vector<LegacyFramebuffer> legacyFramebuffers;
 
   uint64_t recording = 0;  // the last recording that holds it

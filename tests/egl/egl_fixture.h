@@ -4,6 +4,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES/gl.h>
+#include <GLES/glext.h>
 #include <gtest/gtest.h>
 
 #include <string>

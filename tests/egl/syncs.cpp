@@ -1,6 +1,4 @@
-// EGL 1.5 sections 3.8 and 3.9: fence syncs and images.
-#include <cstdint>
-
+// EGL 1.5 section 3.8: fence syncs.
 #include "egl_fixture.h"
 
 namespace egl_conformance {
@@ -73,34 +71,6 @@ TEST_F(Syncs, Errors) {
   EXPECT_FALSE(eglWaitSync(display_, sync, 5));
   EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
   EXPECT_TRUE(eglDestroySync(display_, sync));
-}
-
-class Images : public EglTest {};
-
-// 3.9: an image of a texture can be made and destroyed; bad arguments are errors.
-TEST_F(Images, OfATexture) {
-  const EGLConfig config = choose();
-  const EGLSurface surface = createPbuffer(config);
-  const EGLContext context = createContext(config);
-  ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, context));
-  GLuint name = 0;
-  glGenTextures(1, &name);
-  glBindTexture(GL_TEXTURE_2D, name);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  const GLubyte texels[16] = {};
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
-  const auto buffer = reinterpret_cast<EGLClientBuffer>(static_cast<std::uintptr_t>(name));
-  const EGLImage image = eglCreateImage(display_, context, EGL_GL_TEXTURE_2D, buffer, nullptr);
-  if (image == EGL_NO_IMAGE) {
-    // Not every implementation has images of textures yet; the error must say so.
-    EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
-  } else {
-    EXPECT_TRUE(eglDestroyImage(display_, image));
-  }
-  EXPECT_EQ(eglCreateImage(display_, context, 0x1234, buffer, nullptr), EGL_NO_IMAGE);
-  EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
-  EXPECT_FALSE(eglDestroyImage(display_, EGL_NO_IMAGE));
-  EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
 }
 
 }  // namespace

@@ -99,6 +99,12 @@ bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>
 void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& image) {
   if (context.texture == image) context.texture.reset();
 }
+ShareStatus shareImage(Context&, const ImageSource&, std::shared_ptr<SharedImage>&) {
+  return ShareStatus::NoSource;
+}
+bool hasCompany(const Context&) {
+  return false;
+}
 render::Context& rendererOf(Context& context) {
   return context.renderer;
 }

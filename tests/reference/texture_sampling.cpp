@@ -73,12 +73,12 @@ glm::dvec4 texel(const StoredImage& image, int level, int64_t x, int64_t y, int6
       .color[image.index(level, static_cast<int>(x), static_cast<int>(y), static_cast<int>(z))];
 }
 
-glm::dvec4 sampleFlat(const StoredImage& image, const render::Sampler& sampler, int level,
+glm::dvec4 sampleFlat(const StoredImage& image, const render::Sampler& sampler, int level, int layer,
                       const glm::dvec3& at, bool linear, bool volume) {
   const Level& l = image.level(level);
   const Axis x = along(at.x, l.width, sampler.wrapS, linear),
              y = along(at.y, l.height, sampler.wrapT, linear);
-  const Axis z = volume ? along(at.z, l.depth, sampler.wrapR, linear) : Axis{0, 0, 0};
+  const Axis z = volume ? along(at.z, l.depth, sampler.wrapR, linear) : Axis{layer, layer, 0};
   const auto slice = [&](int64_t k) {
     const glm::dvec4 lower = texel(image, level, x.lower, y.lower, k) * (1 - x.weight) +
                              texel(image, level, x.upper, y.lower, k) * x.weight;
@@ -188,7 +188,9 @@ glm::dvec4 sampleTexture(const render::State& state, int unit, const Fragment& f
   const render::TextureBinding& binding = state.textures[static_cast<size_t>(unit)];
   const StoredImage& image = static_cast<const StoredImage&>(*binding.image);
   const render::Sampler& sampler = binding.sampler;
-  const Level& base = image.level(0);
+  const bool part = binding.onlyLevel >= 0;
+  const int first = part ? binding.onlyLevel : 0;
+  const Level& base = image.level(first);
   const bool cube = textureUnit.target == gen::TextureTarget::CubeMap;
   const bool volume = textureUnit.target == gen::TextureTarget::Texture3D;
   const Fragment::Coordinate& coordinate = fragment.texCoord[static_cast<size_t>(unit)];
@@ -215,15 +217,15 @@ glm::dvec4 sampleTexture(const render::State& state, int unit, const Fragment& f
 
   const auto filtered = [&](int level, bool linear) {
     return cube ? sampleCube(image, level, at, linear)
-                : sampleFlat(image, sampler, level, at, linear, volume);
+                : sampleFlat(image, sampler, level, part ? binding.onlyLayer : 0, at, linear, volume);
   };
   const bool mipmapped = sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR;
   const bool nearestMin =
       sampler.minFilter == GL_NEAREST_MIPMAP_NEAREST || sampler.minFilter == GL_NEAREST_MIPMAP_LINEAR;
   const double c = sampler.magFilter == GL_LINEAR && nearestMin ? 0.5 : 0.0;  // section 3.7.8
-  if (!(lambda > c)) return filtered(0, sampler.magFilter == GL_LINEAR);
+  if (!(lambda > c)) return filtered(first, sampler.magFilter == GL_LINEAR);
   const bool linear = linearFilter(sampler.minFilter);
-  if (!mipmapped) return filtered(0, linear);
+  if (!mipmapped || part) return filtered(first, linear);
 
   const int last = std::min(image.levelCount() - 1, sampler.maxLevel);
   const double q = last;
