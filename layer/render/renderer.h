@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "gen/profile.h"
 #include "layer/render/state.h"
@@ -40,6 +41,8 @@ class Image {
  public:
   virtual ~Image() = default;
   const ImageDesc& desc() const { return desc_; }
+  // What the program calls it, for tools that look at the device.
+  virtual void setLabel(std::string_view) {}
 
  protected:
   explicit Image(const ImageDesc& desc) : desc_(desc) {}
@@ -94,11 +97,30 @@ struct Caps {
   // Formats in which framebuffers can be offered without loss; sample counts other than 1 that work with all.
   bool renderable[16] = {};  // indexed by Format
   int maxSamples = 1;
+  bool polygonOffsetClamp = true;
+};
+
+// Hears of what makes a context slow. Called on the context's thread.
+class Listener {
+ public:
+  virtual void slow(std::string_view what) = 0;
+
+ protected:
+  ~Listener() = default;
 };
 
 class Context {
  public:
   virtual ~Context() = default;
+
+  // Null: nobody listens.
+  virtual void setListener(Listener*) {}
+  // Groups and points in the stream of commands, for tools that look at the device. Groups are nested.
+  virtual void pushGroup(std::string_view) {}
+  virtual void popGroup() {}
+  virtual void mark(std::string_view) {}
+  // The device was lost: nothing that is drawn arrives any more.
+  virtual bool lost() const { return false; }
 
   // state.fixed.primitive and kGroupPrimitive are set by the caller to fit call.mode. Arrays: those enabled
   // in state.fixed.attributes; kPosition is enabled. A read beyond a buffer's end gives zeros or any value

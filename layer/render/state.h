@@ -30,11 +30,18 @@ struct Attachment {
 // is never read or written costs no depth memory. depth and stencil may be the same image.
 struct Framebuffer {
   Attachment color, depth, stencil;
+  // Where there is one, it has one sample a pixel and always holds the mean of color's samples. color then is
+  // an image of its own, of the same format and size, whose samples start with what `resolve` holds, and do
+  // so again whenever something else has written to it.
+  Attachment resolve;
   int width = 0, height = 0;
   int samples = 1;
   // Row 0 of the images is the top row (windows); otherwise it is GL's row 0, and nothing is flipped
   // anywhere.
   bool yDown = false;
+
+  // Where pixels are read from.
+  const Attachment& readable() const { return resolve.image ? resolve : color; }
 };
 
 // Section 3.7.4 and the extensions about samplers.
@@ -74,6 +81,7 @@ struct Raster {
   bool polygonOffsetFill = false;
   float polygonOffsetFactor = 0;
   float polygonOffsetUnits = 0;
+  float polygonOffsetClamp = 0;  // EXT_polygon_offset_clamp; 0, NaN, infinite: none
   float lineWidth = 1;
 };
 

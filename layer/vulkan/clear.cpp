@@ -3,6 +3,7 @@
 
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/sampler.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -20,6 +21,13 @@ constexpr char kQuadFragment[] = R"(#version 450
 layout(location = 0) flat in vec4 flatColor;
 layout(location = 0) out vec4 color;
 void main() { color = flatColor; }
+)";
+constexpr char kCopyFragment[] = R"(#version 450
+// The texel under the pixel, whatever the color that is handed in.
+layout(location = 0) flat in vec4 flatColor;
+layout(set = 1, binding = 0) uniform sampler2D texels;
+layout(location = 0) out vec4 color;
+void main() { color = texelFetch(texels, ivec2(gl_FragCoord.xy), 0); }
 )";
 
 VkClearColorValue clearColor(const glm::vec4& color, const VulkanImage& image) {
@@ -71,6 +79,8 @@ bool VulkanContext::clear(render::State& state, GLbitfield mask) {
       if (!remember(*target_.depth, target_.depthLevel, target_.depthLayer, depth, values)) return false;
       now &= ~depth;
     }
+    // What is read is the other image: the clear cannot wait until somebody asks for this one.
+    if (plain & kColor && !inPass && target_.resolve && !openPass(target_, false)) return false;
   }
   if (now && !clearInPass(now, rect, values)) return false;
   return !masked || clearMasked(state, masked, rect);
@@ -95,7 +105,7 @@ bool VulkanContext::remember(VulkanImage& image, int level, int layer, VkImageAs
 
 bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& rect,
                                 const PendingClear& values) {
-  if (!pass_.require(target_, aspects & (kDepth | kStencil))) return false;
+  if (!openPass(target_, aspects & (kDepth | kStencil))) return false;
   VkClearAttachment attachments[2];
   uint32_t count = 0;
   if (aspects & kColor) {
@@ -131,8 +141,9 @@ bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags a
   return drawQuad(target_, quad, color, aspects & kStencil);
 }
 
+// A quad over the target: in one color, or with the texels of `copied`.
 bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color,
-                             bool withDepth) {
+                             bool withDepth, VkImageView copied) {
   const auto& fn = device_.fn();
   const Features& features = device_.features();
   quad.viewport = {0, 0, static_cast<float>(target.width), static_cast<float>(target.height), 0, 1};
@@ -142,8 +153,9 @@ bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClea
   quad.fixed.frontFace = VK_FRONT_FACE_CLOCKWISE;
   quad.fixed.sampleMask = static_cast<uint8_t>((1u << target.samples) - 1);
   const Shader* const vertex = device_.shaders().get(gen::Stage::Vertex, kQuadVertex);
-  const Shader* const fragment = device_.shaders().get(gen::Stage::Fragment, kQuadFragment);
-  if (!vertex || !fragment || !pass_.require(target, withDepth)) return false;
+  const Shader* const fragment =
+      device_.shaders().get(gen::Stage::Fragment, copied ? kCopyFragment : kQuadFragment);
+  if (!vertex || !fragment || !openPass(target, withDepth)) return false;
 
   PipelineKey key;
   key.vertexShader = vertex->id;
@@ -165,6 +177,10 @@ bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClea
   fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,
                         sizeof color.float32, color.float32);
   bound_.pushed = 0;
+  if (copied) {
+    const VkSampler sampler = device_.samplers().get({GL_NEAREST, GL_NEAREST}, 1, 0);
+    if (!sampler || !bindTextures(commands, 1, &copied, &sampler)) return false;
+  }
   fn.vkCmdDraw(commands, 3, 1, 0, 0);
   return true;
 }

@@ -40,6 +40,7 @@ class CommandStream {
     store->writeEpoch = epoch_;
     store->writtenIn = recordingId_;
     store->written = true;
+    ++store->version;
   }
   bool mustWaitToRead(const ImageStore& store) const { return recording_ && store.writeEpoch == epoch_; }
   bool mustWaitToWrite(const ImageStore& store) const {

@@ -28,6 +28,7 @@ VulkanContext::VulkanContext(VulkanDevice& device)
                               device.limits().maxVertexInputBindings) >= kMostLocations) {}
 
 VulkanContext::~VulkanContext() {
+  while (openGroups_ > 0) popGroup();
   finish();
   ShaderLibrary::flush();
 }
@@ -42,6 +43,27 @@ bool VulkanContext::submit() {
     stream->submitted(serial);
   if (serial) ++stats_.submits;
   return serial != 0;
+}
+
+void VulkanContext::pushGroup(std::string_view text) {
+  flushBatch();
+  const VkCommandBuffer commands = device_.labels().available() ? commands_.commands() : VK_NULL_HANDLE;
+  if (!commands) return;
+  device_.labels().begin(commands, text);
+  ++openGroups_;
+}
+
+void VulkanContext::popGroup() {
+  if (openGroups_ == 0) return;
+  --openGroups_;
+  flushBatch();
+  if (const VkCommandBuffer commands = commands_.commands()) device_.labels().end(commands);
+}
+
+void VulkanContext::mark(std::string_view text) {
+  flushBatch();
+  const VkCommandBuffer commands = device_.labels().available() ? commands_.commands() : VK_NULL_HANDLE;
+  if (commands) device_.labels().insert(commands, text);
 }
 
 void VulkanContext::flush() {

@@ -21,6 +21,11 @@ class VulkanContext final : public render::Context {
   ~VulkanContext() override;
   bool initialise() { return commands_.initialise(); }
 
+  void setListener(render::Listener* listener) override { listener_ = listener; }
+  void pushGroup(std::string_view text) override;
+  void popGroup() override;
+  void mark(std::string_view text) override;
+  bool lost() const override { return commands_.lost(); }
   bool draw(render::State& state, const render::DrawCall& call) override;
   bool clear(render::State& state, GLbitfield mask) override;
   bool readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect, render::Format format,
@@ -119,7 +124,8 @@ class VulkanContext final : public render::Context {
   bool bindPipeline(VkCommandBuffer commands);
   void bindVertices(VkCommandBuffer commands);
   void bindConstants(VkCommandBuffer commands);
-  bool bindTextures(VkCommandBuffer commands);
+  bool bindTextures(VkCommandBuffer commands, uint32_t units, const VkImageView* views,
+                    const VkSampler* samplers);
   void record(VkCommandBuffer commands, const Geometry& geometry);
   bool geometry(const render::DrawCall& call, Geometry& out);
   bool listGeometry(const render::DrawCall& call, Geometry& out);
@@ -128,16 +134,22 @@ class VulkanContext final : public render::Context {
   bool writeIndices(const render::DrawCall& call, Expansion expansion, const std::byte* indices,
                     uint32_t count, uint32_t base, Geometry& out);
   Expansion expansionOf(GLenum mode) const;
+  void tellCompiled();
   void submitEarly();
 
   // clear.cpp
   bool remember(VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
                 const PendingClear& values);
   bool clearInPass(VkImageAspectFlags aspects, const render::Rect& rect, const PendingClear& values);
-  bool drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color, bool withDepth);
+  bool drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color, bool withDepth,
+                VkImageView copied = VK_NULL_HANDLE);
   bool clearMasked(const render::State& state, VkImageAspectFlags aspects, const render::Rect& rect);
   bool materialise(VulkanImage& image);
   bool opaqueAlpha(VulkanImage& image, int level, int layer);
+
+  // implicit_samples.cpp
+  bool openPass(const Target& target, bool withDepth);
+  bool loadSamples(const Target& target);
 
   // transfer.cpp
   void uploadMapped(const VulkanImage& image, ImageStore& store, const render::Region& region,
@@ -180,6 +192,9 @@ class VulkanContext final : public render::Context {
   const bool carriesValues_;  // the device takes so many vertex inputs
   Carried carried_ = Carried::Nothing;
   uint32_t valueChanges_ = 0, valueChangesNeeded_ = 32, alone_ = 0;
+
+  render::Listener* listener_ = nullptr;
+  int openGroups_ = 0;
 
   DrawState wanted_, sent_;
   bool nothing_ = false;

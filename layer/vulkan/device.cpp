@@ -55,6 +55,7 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
       return false;
     }
     volkLoadDeviceTable(&fn_, handle_);
+    labels_.load(handle_, instance_.debugUtils);
   }
   fn_.vkGetDeviceQueue(handle_, instance_.queueFamily, 0, &queue_);
   VkPhysicalDeviceProperties properties;
@@ -128,6 +129,7 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   caps_.maxLodBias = std::min(limits_.maxSamplerLodBias, 100.0f);
   for (size_t i = 0; i < formats_.size(); ++i) caps_.renderable[i] = formats_[i].renderable;
   caps_.maxSamples = commonSamples();
+  caps_.polygonOffsetClamp = features_.depthBiasClamp;
 }
 
 bool VulkanDevice::createLayouts() {

@@ -11,6 +11,7 @@
 #include "layer/vulkan/features.h"
 #include "layer/vulkan/formats.h"
 #include "layer/vulkan/instance.h"
+#include "layer/vulkan/labels.h"
 #include "layer/vulkan/memory.h"
 #include "layer/vulkan/stream.h"
 #include "layer/vulkan/vulkan_device.h"
@@ -59,6 +60,7 @@ class VulkanDevice : public render::Device {
   // Whether a vertex attribute may have this format.
   bool vertexFormat(VkFormat format) const;
 
+  const Labels& labels() const { return labels_; }
   MemoryPool& memory() { return *memory_; }
   Timeline& timeline() { return *timeline_; }
   SamplerCache& samplers() { return *samplers_; }
@@ -100,6 +102,7 @@ class VulkanDevice : public render::Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   VolkDeviceTable fn_{};
   Features features_;
+  Labels labels_;
   VkPhysicalDeviceLimits limits_{};
   render::Caps caps_;
   StoreFormats formats_;

@@ -111,7 +111,7 @@ bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
   const bool withDepth = wanted_.fixed.depthTest || wanted_.fixed.stencilTest;
   if (target_.color && target_.color->alphaStale && !pass_.activeOn(target_))
     if (!opaqueAlpha(*target_.color, target_.colorLevel, target_.colorLayer)) return false;
-  if (!pass_.require(target_, withDepth) || !bindAll(commands)) return false;
+  if (!openPass(target_, withDepth) || !bindAll(commands)) return false;
   if (!openBatch(call, geometry)) record(commands, geometry);
   return true;
 }
@@ -307,7 +307,7 @@ bool VulkanContext::bindAll(VkCommandBuffer commands) {
        !bound_.stateSent);
   bound_.stateSent = true;
   bindConstants(commands);
-  return bindTextures(commands);
+  return bindTextures(commands, units_, views_.data(), samplers_.data());
 }
 
 bool VulkanContext::bindPipeline(VkCommandBuffer commands) {
@@ -322,13 +322,20 @@ bool VulkanContext::bindPipeline(VkCommandBuffer commands) {
   key.state = baked(wanted_.fixed, features);
   if (!pipeline_ || !(key == pipelineKey_)) {
     pipelineKey_ = key;
+    const uint64_t before = listener_ ? device_.pipelines().created() : 0;
     pipeline_ = device_.pipelines().get(key, *vertexShader_, *fragmentShader_);
     if (!pipeline_) return false;
+    if (listener_ && device_.pipelines().created() != before) tellCompiled();
   }
   if (pipeline_ == bound_.pipeline) return true;
   device_.fn().vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
   bound_.pipeline = pipeline_;
   return true;
+}
+
+void VulkanContext::tellCompiled() {
+  listener_->slow("A draw waits for a pipeline that is compiled for its state: " + describe(fragmentKey_) +
+                  ". Draw once with every combination of state while loading.");
 }
 
 void VulkanContext::bindVertices(VkCommandBuffer commands) {
@@ -396,11 +403,13 @@ void VulkanContext::bindConstants(VkCommandBuffer commands) {
     bindBlock(3, paletteConstants_.piece.constants.vertex, paletteConstants_, bound_.paletteConstants);
 }
 
-bool VulkanContext::bindTextures(VkCommandBuffer commands) {
-  bool changed = (bound_.textures & units_) != units_;
-  for (uint32_t units = units_; units && !changed; units &= units - 1) {
-    const int unit = std::countr_zero(units);
-    changed = views_[unit] != bound_.views[unit] || samplers_[unit] != bound_.samplers[unit];
+// The views and samplers of `units`, indexed by unit.
+bool VulkanContext::bindTextures(VkCommandBuffer commands, uint32_t units, const VkImageView* views,
+                                 const VkSampler* samplers) {
+  bool changed = (bound_.textures & units) != units;
+  for (uint32_t left = units; left && !changed; left &= left - 1) {
+    const int unit = std::countr_zero(left);
+    changed = views[unit] != bound_.views[unit] || samplers[unit] != bound_.samplers[unit];
   }
   if (!changed) return true;
   const bool push = device_.features().pushDescriptors;
@@ -409,9 +418,9 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands) {
   VkDescriptorImageInfo images[gen::kMaxTextureUnits];
   VkWriteDescriptorSet writes[gen::kMaxTextureUnits];
   uint32_t count = 0;
-  for (uint32_t units = units_; units; units &= units - 1) {
-    const int unit = std::countr_zero(units);
-    images[count] = {samplers_[unit], views_[unit], VK_IMAGE_LAYOUT_GENERAL};
+  for (uint32_t left = units; left; left &= left - 1) {
+    const int unit = std::countr_zero(left);
+    images[count] = {samplers[unit], views[unit], VK_IMAGE_LAYOUT_GENERAL};
     VkWriteDescriptorSet& write = writes[count];
     write = {VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set;
@@ -419,25 +428,25 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands) {
     write.descriptorCount = 1;
     write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     write.pImageInfo = &images[count++];
-    bound_.views[unit] = views_[unit];
-    bound_.samplers[unit] = samplers_[unit];
+    bound_.views[unit] = views[unit];
+    bound_.samplers[unit] = samplers[unit];
   }
   const auto& fn = device_.fn();
   if (push) {
     fn.vkCmdPushDescriptorSetKHR(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1,
                                  count, writes);
-    bound_.textures |= units_;
+    bound_.textures |= units;
   } else {
     // Drivers walk all of a set: what no shader reads shows some texture, too.
     for (uint32_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
-      if (units_ >> unit & 1) continue;
+      if (units >> unit & 1) continue;
       writes[count] = writes[0];
       writes[count++].dstBinding = unit;
     }
     fn.vkUpdateDescriptorSets(device_.handle(), count, writes, 0, nullptr);
     fn.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, device_.pipelineLayout(), 1, 1,
                                &set, 0, nullptr);
-    bound_.textures = units_;
+    bound_.textures = units;
   }
   return true;
 }

@@ -195,6 +195,8 @@ void translateRaster(const render::State& state, const Target& target, const Fea
   out.biasUnits = fixed.depthBias ? raster.polygonOffsetUnits : 0;
   if (!std::isfinite(out.biasFactor)) out.biasFactor = 0;
   if (!std::isfinite(out.biasUnits)) out.biasUnits = 0;
+  const float clamp = raster.polygonOffsetClamp;
+  out.biasClamp = fixed.depthBias && features.depthBiasClamp && std::isfinite(clamp) ? clamp : 0;
 
   const bool smooth = state.fixed.lineSmooth && target.samples == 1 && features.smoothLines;
   fixed.lineMode = VK_LINE_RASTERIZATION_MODE_DEFAULT_EXT;

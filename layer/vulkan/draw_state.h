@@ -32,7 +32,7 @@ struct DrawState {
   // Dynamic everywhere.
   VkViewport viewport{};
   VkRect2D scissor{};
-  float lineWidth = 1, biasFactor = 0, biasUnits = 0;
+  float lineWidth = 1, biasFactor = 0, biasUnits = 0, biasClamp = 0;
   uint32_t stencilCompareMask = 0xff, stencilWriteMask = 0xff, stencilReference = 0;
 };
 

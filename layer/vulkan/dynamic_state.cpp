@@ -40,8 +40,8 @@ void Emitter::core() {
   if (all_ || std::memcmp(&wanted_.scissor, &sent_.scissor, sizeof(VkRect2D)) != 0)
     fn_.vkCmdSetScissor(commands_, 0, 1, &wanted_.scissor);
   if (changed(&DrawState::lineWidth)) fn_.vkCmdSetLineWidth(commands_, wanted_.lineWidth);
-  if (changed(&DrawState::biasFactor, &DrawState::biasUnits))
-    fn_.vkCmdSetDepthBias(commands_, wanted_.biasUnits, 0, wanted_.biasFactor);
+  if (changed(&DrawState::biasFactor, &DrawState::biasUnits, &DrawState::biasClamp))
+    fn_.vkCmdSetDepthBias(commands_, wanted_.biasUnits, wanted_.biasClamp, wanted_.biasFactor);
   constexpr VkStencilFaceFlags both = VK_STENCIL_FACE_FRONT_AND_BACK;
   if (changed(&DrawState::stencilCompareMask))
     fn_.vkCmdSetStencilCompareMask(commands_, both, wanted_.stencilCompareMask);

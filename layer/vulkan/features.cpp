@@ -104,6 +104,7 @@ void DeviceBuilder::readFeatures(Features& f) {
   f.anisotropy = core.samplerAnisotropy;
   f.clipDistance = core.shaderClipDistance;
   f.alphaToOne = core.alphaToOne;
+  f.depthBiasClamp = core.depthBiasClamp;
   f.dynamicRendering = chain_.dynamicRendering.dynamicRendering;
   f.dynamicState1 = chain_.dynamicState1.extendedDynamicState;
   f.dynamicState2 =
@@ -141,6 +142,7 @@ VkResult DeviceBuilder::build(VkDevice& device, Features& features) {
   core.samplerAnisotropy = features.anisotropy;
   core.shaderClipDistance = features.clipDistance;
   core.alphaToOne = features.alphaToOne;
+  core.depthBiasClamp = features.depthBiasClamp;
 
   const float priority = 1;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

@@ -17,6 +17,7 @@ struct Features {
   bool anisotropy = false;
   bool clipDistance = false;
   bool alphaToOne = false;
+  bool depthBiasClamp = false;
 
   // Optional extensions, with the features of theirs that are used.
   bool dynamicRendering = false;

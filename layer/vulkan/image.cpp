@@ -171,8 +171,15 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
     if (!store->view) return nullptr;
   }
   const bool clear = !linear && format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT;
+  if (!label_.empty()) device_.labels().name(store->image, label_);
   device_.addFreshImage({store->image, store->aspects, info.initialLayout, clear});
   return store;
+}
+
+void VulkanImage::setLabel(std::string_view text) {
+  label_ = text;
+  for (const auto& store : {store_, resolved_})
+    if (store) device_.labels().name(store->image, label_);
 }
 
 ImageStore* VulkanImage::store(bool overwritten) {

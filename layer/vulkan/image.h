@@ -32,10 +32,12 @@ struct ImageStore {
     VkImageView view;
   };
   using PartView = AttachmentView;
-  // Without dynamic rendering: this image as color (or as depth, where there is no color) with another one.
+  // Without dynamic rendering: this image as color (or as depth, where there is no color) with others, whose
+  // views are told apart by the stores' numbers: handles are used again.
   struct LegacyFramebuffer {
     VkRenderPass renderPass;
-    VkImageView color, depth;
+    VkImageView color, depth, resolve;
+    uint64_t depthStore, resolveStore;
     VkFramebuffer framebuffer;
   };
 
@@ -54,6 +56,7 @@ struct ImageStore {
   VkImageType type = VK_IMAGE_TYPE_2D;
   int layers = 1;
   uint64_t id = 0;              // never used twice in a process
+  uint64_t version = 0;         // of its contents
   std::byte* mapped = nullptr;  // LINEAR: the image's memory
   std::vector<Plane> planes;    // LINEAR only
   std::vector<AttachmentView> attachmentViews;
@@ -76,9 +79,18 @@ struct PendingClear {
   VkClearDepthStencilValue depthStencil{};
 };
 
+// Contents of a level: what samples were resolved into it last is still there while this holds.
+struct Contents {
+  uint64_t store = 0, version = 0;
+  int level = 0, layer = 0;
+  bool operator==(const Contents&) const = default;
+};
+
 class VulkanImage final : public render::Image {
  public:
   VulkanImage(VulkanDevice& device, const render::ImageDesc& desc);
+
+  void setLabel(std::string_view text) override;
 
   // The store, made at the first call. Null: out of memory. `overwritten`: all of it is about to be.
   ImageStore* store(bool overwritten = false);
@@ -99,6 +111,7 @@ class VulkanImage final : public render::Image {
 
   PendingClear pending;
   bool resolveStale = true;
+  Contents follows;         // samples that belong to a level of another image: what they were resolved into
   bool alphaStale = false;  // an opaque format whose stored alpha is not 1
 
  private:
@@ -106,6 +119,7 @@ class VulkanImage final : public render::Image {
 
   VulkanDevice& device_;
   const StoreFormat& format_;
+  std::string label_;
   std::shared_ptr<ImageStore> store_, resolved_;
   std::vector<std::shared_ptr<ImageStore>> spares_;  // former stores, to be used again when idle
 };

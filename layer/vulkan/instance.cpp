@@ -39,6 +39,16 @@ bool hasLayer(const char* name) {
   return false;
 }
 
+bool hasInstanceExtension(const char* name) {
+  uint32_t count = 0;
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+  std::vector<VkExtensionProperties> extensions(count);
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data());
+  for (const auto& extension : extensions)
+    if (!std::strcmp(extension.extensionName, name)) return true;
+  return false;
+}
+
 int preference(VkPhysicalDeviceType type) {
   switch (type) {
     case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
@@ -138,8 +148,12 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
   if (options.validation && !validation)
     std::fprintf(stderr, "anteroom: no validation layer: install vulkan-validationlayers\n");
   if (validation) {
-    info.enabledLayerCount = info.enabledExtensionCount = 1;
+    info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &layer;
+  }
+  instance.debugUtils = validation || (!options.minimal && hasInstanceExtension(extension));
+  if (instance.debugUtils) {
+    info.enabledExtensionCount = 1;
     info.ppEnabledExtensionNames = &extension;
   }
   if (VkResult result = vkCreateInstance(&info, nullptr, &instance.handle); result != VK_SUCCESS) {

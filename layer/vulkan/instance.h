@@ -14,6 +14,7 @@ struct Instance {
   VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   uint32_t queueFamily = 0;  // graphics
+  bool debugUtils = false;   // VK_EXT_debug_utils is on
 };
 
 // Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:

@@ -210,8 +210,7 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
   if (!device_.features().dynamicRendering) {
     const PassFormats formats{static_cast<VkFormat>(key.colorFormat), static_cast<VkFormat>(key.depthFormat),
                               key.samples};
-    constexpr auto load = VK_ATTACHMENT_LOAD_OP_LOAD;
-    info.renderPass = device_.legacyPasses().get(formats, load, load, load);
+    info.renderPass = device_.legacyPasses().get(formats, {}, false);
     if (!info.renderPass) return VK_NULL_HANDLE;
   }
   VkPipeline pipeline = VK_NULL_HANDLE;

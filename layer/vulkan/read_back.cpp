@@ -36,8 +36,9 @@ bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const ren
   flushBatch();
   const Target target = targetOf(framebuffer);
   const render::Rect inside = clipped(rect, target);
-  if (!target.color || inside.width <= 0 || inside.height <= 0) return true;
-  VulkanImage& image = *target.color;
+  const render::Attachment& from = framebuffer.readable();
+  if (!from.image || inside.width <= 0 || inside.height <= 0) return true;
+  VulkanImage& image = vulkan(*from.image);
   if (image.pending.aspects && !materialise(image)) return false;
   ImageStore* const store = readable(image);
   if (!store) return false;
@@ -48,9 +49,9 @@ bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const ren
   const bool volume = store->type == VK_IMAGE_TYPE_3D;
   if (store->mapped) {
     if (!waitFor(*store)) return false;
-    const ImageStore::Plane& plane = store->plane(target.colorLevel, volume ? 0 : target.colorLayer);
+    const ImageStore::Plane& plane = store->plane(from.level, volume ? 0 : from.layer);
     pitch = plane.rowPitch;
-    texels = store->mapped + plane.offset + (volume ? target.colorLayer * plane.slicePitch : 0) +
+    texels = store->mapped + plane.offset + (volume ? from.layer * plane.slicePitch : 0) +
              area.offset.y * pitch + static_cast<size_t>(area.offset.x) * image.format().bytes;
   } else {
     pitch = static_cast<size_t>(area.extent.width) * image.format().bytes;
@@ -60,9 +61,9 @@ bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const ren
     leavePass(*store, false);
     VkBufferImageCopy copy{};
     copy.bufferOffset = piece.offset;
-    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(target.colorLevel),
-                             static_cast<uint32_t>(volume ? 0 : target.colorLayer), 1};
-    copy.imageOffset = {area.offset.x, area.offset.y, volume ? target.colorLayer : 0};
+    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(from.level),
+                             static_cast<uint32_t>(volume ? 0 : from.layer), 1};
+    copy.imageOffset = {area.offset.x, area.offset.y, volume ? from.layer : 0};
     copy.imageExtent = {area.extent.width, area.extent.height, 1};
     device_.fn().vkCmdCopyImageToBuffer(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, piece.buffer, 1,
                                         &copy);

@@ -70,6 +70,7 @@ ImageStore* VulkanContext::writableMapped(VulkanImage& image, bool whole) {
   if (image.held().use_count() > 1) commands_.retire();
   if (image.held().use_count() == 1) {
     store->written = false;
+    ++store->version;
     return store;
   }
   if (!whole && (store->written || image.bytes() > kMostVersioned)) return nullptr;
@@ -77,6 +78,7 @@ ImageStore* VulkanContext::writableMapped(VulkanImage& image, bool whole) {
   const std::shared_ptr<ImageStore> former = image.replaceStore();
   if (!former) return nullptr;
   store = image.store();
+  ++store->version;
   if (!whole) std::memcpy(store->mapped, former->mapped, std::min(store->memory.size, former->memory.size));
   return store;
 }
@@ -153,7 +155,7 @@ bool VulkanContext::copyFromFramebuffer(render::Image& target, const render::Reg
   inside.y += bottom;
   x += left;
   y += bottom;
-  VulkanImage& from = vulkan(*source.color.image);
+  VulkanImage& from = vulkan(*source.readable().image);
   if (from.pending.aspects && !materialise(from)) return false;
   if (image.pending.aspects && !materialise(image)) return false;
   // Alpha cannot move to another channel in a blit, nor can a format that the device lacks.
@@ -166,7 +168,8 @@ bool VulkanContext::copyFromFramebuffer(render::Image& target, const render::Reg
 
 bool VulkanContext::copyOnDevice(VulkanImage& image, const render::Region& region,
                                  const render::Framebuffer& source, int x, int y) {
-  VulkanImage& from = vulkan(*source.color.image);
+  const render::Attachment& read = source.readable();
+  VulkanImage& from = vulkan(*read.image);
   ImageStore* const in = readable(from);
   ImageStore* const out = image.store();
   const VkCommandBuffer commands = commands_.commands();
@@ -175,8 +178,8 @@ bool VulkanContext::copyOnDevice(VulkanImage& image, const render::Region& regio
   leavePass(*out, true);
   VkImageBlit blit{};
   const bool volume = in->type == VK_IMAGE_TYPE_3D;
-  const int slice = volume ? source.color.layer : 0;
-  blit.srcSubresource = layersOf(source.color.level, volume ? 0 : source.color.layer);
+  const int slice = volume ? read.layer : 0;
+  blit.srcSubresource = layersOf(read.level, volume ? 0 : read.layer);
   blit.dstSubresource = layersOf(region.level, region.layer);
   const int low = source.yDown ? source.height - y : y;
   const int high = source.yDown ? low - region.height : low + region.height;

@@ -1,6 +1,7 @@
 #include "tests/reference/image_store.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -9,7 +10,13 @@ namespace anteroom::reference {
 using render::Format;
 using render::info;
 
-StoredImage::StoredImage(const render::ImageDesc& desc) : Image(desc) {
+namespace {
+
+std::atomic<uint64_t> imagesMade{0};
+
+}  // namespace
+
+StoredImage::StoredImage(const render::ImageDesc& desc) : Image(desc), id_(++imagesMade) {
   const size_t samples = static_cast<size_t>(desc.samples);
   for (int i = 0; i < desc.levels; ++i) {
     Level level;

@@ -24,7 +24,18 @@ class StoredImage final : public render::Image {
   int levelCount() const { return static_cast<int>(levels_.size()); }
   size_t index(int level, int x, int y, int z, int sample = 0) const;
 
+  // What samples that belong to a level of another image were resolved into last.
+  struct Contents {
+    uint64_t image = 0, version = 0;
+    int level = 0, layer = 0;
+    bool operator==(const Contents&) const = default;
+  };
+  Contents contents(int level, int layer) const { return {id_, version, level, layer}; }
+  Contents follows;
+  uint64_t version = 0;  // raised by everything that writes texels
+
  private:
+  const uint64_t id_;  // unlike any other image's
   std::vector<Level> levels_;
 };
 

@@ -243,6 +243,9 @@ void Rasteriser::triangle(const WindowPrimitive& primitive, int fromRow, int toR
                          : 24;
     offset = std::max(std::abs(slopeX), std::abs(slopeY)) * double(state_.raster.polygonOffsetFactor) +
              std::ldexp(1.0, -bits) * double(state_.raster.polygonOffsetUnits);
+    const double most = double(state_.raster.polygonOffsetClamp);  // EXT_polygon_offset_clamp
+    if (most > 0) offset = std::min(offset, most);
+    if (most < 0) offset = std::max(offset, most);
   }
 
   // Clipping left a margin around the view volume (clipping.h); the viewport ends it.

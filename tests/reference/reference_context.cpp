@@ -39,13 +39,55 @@ void overRows(int height, const Work& work) {
 
 // The mean of a pixel's samples.
 glm::dvec4 resolved(const Framebuffer& framebuffer, int x, int y) {
-  const Attachment& at = framebuffer.color;
+  const Attachment& at = framebuffer.readable();
   StoredImage& image = stored(*at.image);
   const int samples = image.desc().samples;
   glm::dvec4 sum(0);
   for (int s = 0; s < samples; ++s)
     sum += image.level(at.level).color[image.index(at.level, x, memoryRow(framebuffer, y), at.layer, s)];
   return sum / double(samples);
+}
+
+// Calls `visit(index of the texel, index of its first sample)` for each pixel of a framebuffer whose samples
+// belong to a level of a texture.
+template <typename Visit>
+void overSamples(const Framebuffer& framebuffer, const Visit& visit) {
+  const Attachment& to = framebuffer.resolve;
+  for (int y = 0; y < framebuffer.height; ++y)
+    for (int x = 0; x < framebuffer.width; ++x)
+      visit(stored(*to.image).index(to.level, x, y, to.layer),
+            stored(*framebuffer.color.image).index(framebuffer.color.level, x, y, framebuffer.color.layer));
+}
+
+// EXT_multisampled_render_to_texture: all samples of a pixel have the texel's value, unless they made it.
+void loadSamples(const Framebuffer& framebuffer) {
+  const Attachment& from = framebuffer.resolve;
+  if (!from.image) return;
+  StoredImage& samples = stored(*framebuffer.color.image);
+  StoredImage& texture = stored(*from.image);
+  if (samples.follows == texture.contents(from.level, from.layer)) return;
+  std::vector<glm::dvec4>& color = samples.level(framebuffer.color.level).color;
+  overSamples(framebuffer, [&](size_t texel, size_t first) {
+    std::fill_n(color.begin() + static_cast<std::ptrdiff_t>(first), framebuffer.samples,
+                texture.level(from.level).color[texel]);
+  });
+}
+
+// After every change of a color attachment.
+void colorChanged(const Framebuffer& framebuffer) {
+  if (framebuffer.color.image) ++stored(*framebuffer.color.image).version;
+  const Attachment& to = framebuffer.resolve;
+  if (!to.image) return;
+  StoredImage& samples = stored(*framebuffer.color.image);
+  StoredImage& texture = stored(*to.image);
+  const std::vector<glm::dvec4>& color = samples.level(framebuffer.color.level).color;
+  overSamples(framebuffer, [&](size_t texel, size_t first) {
+    glm::dvec4 sum(0);
+    for (size_t s = 0; s < static_cast<size_t>(framebuffer.samples); ++s) sum += color[first + s];
+    texture.level(to.level).color[texel] = quantise(texture.desc().format, sum / double(framebuffer.samples));
+  });
+  ++texture.version;
+  samples.follows = texture.contents(to.level, to.layer);
 }
 
 }  // namespace
@@ -68,6 +110,7 @@ bool ReferenceContext::draw(render::State& state, const render::DrawCall& call) 
   });
   if (primitives.empty()) return true;
 
+  loadSamples(state.framebuffer);
   const FragmentStage fragmentStage(state);
   int firstRow = state.framebuffer.height, lastRow = -1;
   for (const WindowPrimitive& primitive : primitives) {
@@ -80,6 +123,7 @@ bool ReferenceContext::draw(render::State& state, const render::DrawCall& call) 
       rasteriser.rasterise(primitive, fromRow, toRow, [&](const Fragment& f) { fragmentStage.process(f); });
     quantiseColor(state.framebuffer, fromRow, toRow);
   });
+  colorChanged(state.framebuffer);
   return true;
 }
 
@@ -104,11 +148,13 @@ bool ReferenceContext::clear(render::State& state, GLbitfield mask) {
           set(image.level(at.level), image.index(at.level, x, memoryRow(framebuffer, y), at.layer, s));
   };
   if ((mask & GL_COLOR_BUFFER_BIT) != 0 && framebuffer.color.image != nullptr) {
+    loadSamples(framebuffer);
     const glm::dvec4 color = quantise(framebuffer.color.image->desc().format, glm::dvec4(state.clear.color));
     eachSample(framebuffer.color, [&](Level& level, size_t i) {
       for (int c = 0; c < 4; ++c)
         if (state.ops.colorMask[static_cast<size_t>(c)]) level.color[i][c] = color[c];
     });
+    colorChanged(framebuffer);
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) != 0 && framebuffer.depth.image != nullptr && state.ops.depthMask) {
     const double z = quantiseDepth(framebuffer.depth.image->desc().format, double(state.clear.depth));
@@ -141,6 +187,7 @@ bool ReferenceContext::readPixels(const Framebuffer& framebuffer, const render::
 bool ReferenceContext::upload(render::Image& target, const render::Region& region, const void* data,
                               size_t rowPitch, size_t slicePitch) {
   StoredImage& image = stored(target);
+  ++image.version;
   const Format format = image.desc().format;
   const size_t bytes = render::info(format).bytes;
   for (int z = 0; z < region.depth; ++z)
@@ -159,6 +206,7 @@ bool ReferenceContext::upload(render::Image& target, const render::Region& regio
 bool ReferenceContext::copyFromFramebuffer(render::Image& target, const render::Region& region,
                                            const Framebuffer& source, int x, int y) {
   StoredImage& image = stored(target);
+  ++image.version;
   for (int j = 0; j < region.height; ++j)
     for (int i = 0; i < region.width; ++i) {
       const int64_t px = int64_t(x) + i, py = int64_t(y) + j;
@@ -171,12 +219,14 @@ bool ReferenceContext::copyFromFramebuffer(render::Image& target, const render::
 }
 
 bool ReferenceContext::copyLevel(render::Image& target, int level, render::Image& source, int sourceLevel) {
+  ++stored(target).version;
   stored(target).level(level) = stored(source).level(sourceLevel);
   return true;
 }
 
 bool ReferenceContext::generateMipmaps(render::Image& target) {
   StoredImage& image = stored(target);
+  ++image.version;
   const bool volume = image.desc().dimension == render::Dimension::Volume;
   for (int i = 1; i < image.levelCount(); ++i) {
     const Level& from = image.level(i - 1);
