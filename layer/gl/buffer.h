@@ -16,6 +16,7 @@ struct BufferObject {
   size_t size() const { return store ? store->size() : 0; }
 
   const GLuint name;
+  std::string label;
   GLenum usage = GL_STATIC_DRAW;
   std::shared_ptr<render::Buffer> store;  // null: size 0
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "layer/gl/debug_output.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/params.h"
 
@@ -55,8 +56,14 @@ void Results::put(double value, Kind kind) {
 
 Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
                  std::unique_ptr<render::Context> renderContext, const ContextOptions& contextOptions)
-    : device(d), group(std::move(shareGroup)), renderer(std::move(renderContext)), options(contextOptions) {
+    : device(d),
+      group(std::move(shareGroup)),
+      renderer(std::move(renderContext)),
+      options(contextOptions),
+      debugOutput(contextOptions.debug),
+      debug(std::make_unique<DebugOutput>()) {
   ++group->contexts;
+  updateListener(*this);
   const render::Caps& caps = device.caps();
   rendererName = "Anteroom on " + caps.deviceName;
 
@@ -86,6 +93,16 @@ VertexArrays initialVertexArrays() {
 
 bool Context::framebufferComplete() {
   return boundFramebuffer ? resolveFramebuffer(*this) : hasFramebuffer;
+}
+
+bool Context::readFramebufferComplete() {
+  if (boundReadFramebuffer) return resolveReadFramebuffer(*this);
+  readFramebuffer = defaultReadFramebuffer;
+  return hasDefaultFramebuffer;
+}
+
+void Context::reportError(GLenum code, const Fault& fault, const char* command) const {
+  debug->error(code, fault, command);
 }
 
 void updateMultisample(Context& c) {

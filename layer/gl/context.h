@@ -5,8 +5,8 @@
 //   extern "C" void GL_APIENTRY glLineWidth(GLfloat width) {
 //     Context* c = current();
 //     if (!c) return;
-//     if (!(width > 0)) return c->setError(GL_INVALID_VALUE);
-//     c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
+//     if (!(width > 0)) return c->setError(GL_INVALID_VALUE, wrongNumber("width", width, "Give a width above
+//     0")); c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
 //   }
 //
 // Validation comes first and changes nothing; state goes straight into `state`, whose groups are marked.
@@ -22,6 +22,7 @@
 #include <mutex>
 #include <string>
 
+#include "layer/gl/fault.h"
 #include "layer/gl/front_end.h"
 #include "layer/gl/object_table.h"
 #include "layer/render/renderer.h"
@@ -30,6 +31,7 @@ namespace anteroom::gl {
 
 struct BufferObject;  // buffer.h: `GLuint name` and `std::shared_ptr<render::Buffer> store` (null: size 0)
 struct Texture;       // texture.h: `GLuint name` and the rest
+class DebugOutput;    // debug_output.h
 struct Renderbuffer;  // framebuffer_object.h
 struct FramebufferObject;
 
@@ -126,6 +128,7 @@ struct VertexArrayObject {
 
   const GLuint name;
   VertexArrays arrays = initialVertexArrays();
+  std::string label;
 };
 
 struct Hints {
@@ -144,9 +147,13 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
-  // Section 2.5: the first error stays until glGetError.
-  void setError(GLenum code) {
+  // Section 2.5: the first error stays until glGetError. KHR_no_error: there is none but that of memory.
+  // `command`: a helper hands on the name of the command that called it.
+  void setError(GLenum code, const Fault& fault = {}, const char* command = __builtin_FUNCTION()) {
+    if (options.noError && code != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = code;
+    if (debugOutput) [[unlikely]]
+      reportError(code, fault, command);
   }
   void mark(gen::Groups groups) {
     state.dirty |= groups;
@@ -160,9 +167,11 @@ class Context {
     mark(groups);
   }
 
-  // Whether there is something to draw to or read from (false: surfaceless, or an incomplete framebuffer
-  // object). Brings state.framebuffer up to date. Under the ShareLock.
+  // Whether there is something to draw to (false: surfaceless, or an incomplete framebuffer object). Brings
+  // state.framebuffer up to date. Under the ShareLock.
   bool framebufferComplete();
+  // The same for what pixels are read from, readFramebuffer.
+  bool readFramebufferComplete();
 
   render::State state;
   GLenum error = GL_NO_ERROR;
@@ -178,6 +187,7 @@ class Context {
   render::Framebuffer defaultReadFramebuffer;
   // OES_framebuffer_object. Null: the default framebuffer, or no renderbuffer.
   std::shared_ptr<FramebufferObject> boundFramebuffer;
+  std::shared_ptr<FramebufferObject> boundReadFramebuffer;  // APPLE_framebuffer_multisample
   std::shared_ptr<Renderbuffer> boundRenderbuffer;
   uint32_t seenFramebufferVersion = 0;
   uint32_t seenAttachedTextures = 0;  // the textureVersion at which attachments were looked up
@@ -221,6 +231,14 @@ class Context {
   GLint stencilRef = 0;  // as given; state.ops has it clamped to what the stencil buffer can hold
   std::string rendererName;
   std::string extensions;  // made by the first query
+
+  // KHR_debug.
+  bool debugOutput = false;  // errors and slow commands make messages
+  bool debugSynchronous = false;
+  const std::unique_ptr<DebugOutput> debug;  // never null
+
+ private:
+  void reportError(GLenum code, const Fault& fault, const char* command) const;
 };
 
 // Makes `framebuffer` (null: none) what draws go to and, unless there is a `read`, what pixels are read from,

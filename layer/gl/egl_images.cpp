@@ -120,5 +120,7 @@ GL_API void GL_APIENTRY glEGLImageTargetRenderbufferStorageOES(GLenum target, GL
   renderbuffer->height = shared->height;
   renderbuffer->image = shared->image;
   renderbuffer->shared = shared;
+  renderbuffer->samples = 0;
+  renderbuffer->multisampling = Multisampling::None;
   c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
 }

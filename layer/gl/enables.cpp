@@ -1,4 +1,5 @@
 #include "layer/gl/enables.h"
+#include "layer/gl/debug_output.h"
 
 #include "layer/gl/vertex_arrays.h"
 
@@ -72,6 +73,10 @@ Capability capabilityOf(Context& c, GLenum name) {
       return {&ops.sampleAlphaToOne, gen::kGroupFragmentOps};
     case GL_SAMPLE_COVERAGE:
       return {&ops.sampleCoverage, gen::kGroupFragmentOps};
+    case GL_DEBUG_OUTPUT_KHR:
+      return {&c.debugOutput, 0};
+    case GL_DEBUG_OUTPUT_SYNCHRONOUS_KHR:  // messages always are
+      return {&c.debugSynchronous, 0};
     default:
       break;
   }
@@ -107,6 +112,7 @@ void setCapability(GLenum name, bool enable) {
     material.ambient = material.diffuse = c->state.fixed.attributes[gen::kColor].current;
   }
   if (name == GL_MATRIX_PALETTE_OES) c->state.fixed.palette = enable ? &c->palette : nullptr;
+  if (name == GL_DEBUG_OUTPUT_KHR) updateListener(*c);
   if (name == GL_MULTISAMPLE || name == GL_SAMPLE_ALPHA_TO_ONE) updateMultisample(*c);
 }
 

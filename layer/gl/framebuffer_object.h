@@ -6,6 +6,13 @@
 
 namespace anteroom::gl {
 
+// Which extension made it multisampled. Pixels of Apple's are resolved by a command before they can be read,
+// those of the others when they are read.
+enum class Multisampling : uint8_t { None, Apple, Ext, Img };
+
+// The sample count of a device that is no less than what was asked for, 0 for 0. -1: there is none.
+int sampleCount(const render::Caps& caps, GLsizei asked);
+
 struct Renderbuffer {
   explicit Renderbuffer(GLuint n) : name(n) {}
 
@@ -14,6 +21,9 @@ struct Renderbuffer {
   int width = 0, height = 0;             // pixels
   std::shared_ptr<render::Image> image;  // null: no storage
   std::shared_ptr<SharedImage> shared;   // a sibling of an EGLImage, which is a part of `image`
+  int samples = 0;                       // 0: not multisampled
+  Multisampling multisampling = Multisampling::None;
+  std::string label;
 
   render::Attachment attachment() const {
     return {image, shared ? shared->level : 0, shared ? shared->layer : 0};
@@ -26,6 +36,10 @@ struct AttachmentPoint {
   int face = 0;
   int level = 0;
   std::shared_ptr<Renderbuffer> renderbuffer;
+  // Of a texture (EXT_multisampled_render_to_texture): it is drawn to through an image with samples.
+  int textureSamples = 0;
+  Multisampling textureMultisampling = Multisampling::None;
+  std::shared_ptr<render::Image> implicit;  // null: not needed yet
 
   bool empty() const { return !texture && !renderbuffer; }
 };
@@ -35,14 +49,26 @@ struct FramebufferObject {
 
   const GLuint name;
   AttachmentPoint color, depth, stencil;
+  std::string label;
 };
-
-// CheckFramebufferStatusOES. Under the ShareLock.
-GLenum framebufferStatus(Context& c);
 
 // Brings state.framebuffer up to date with the bound framebuffer object. Under the ShareLock. False: it is
 // not complete, or memory ran out.
 bool resolveFramebuffer(Context& c);
+
+// The same for readFramebuffer and the object bound to READ_FRAMEBUFFER_APPLE, which is not null.
+bool resolveReadFramebuffer(Context& c);
+
+// What forbids ReadPixels and CopyTex...Image; NO_ERROR: nothing, and readFramebuffer is up to date. Under
+// the ShareLock.
+GLenum readError(Context& c);
+
+inline Fault unreadable() {
+  return wrongState(
+      "the framebuffer that is read is incomplete or multisampled",
+      "Ask glCheckFramebufferStatusOES of READ_FRAMEBUFFER_APPLE why, or make pixels of samples with "
+      "glResolveMultisampleFramebufferAPPLE");
+}
 
 // A texture or renderbuffer is about to be deleted: it leaves the bound framebuffer object.
 void detach(Context& c, const Texture* texture, const Renderbuffer* renderbuffer);

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "layer/gl/context.h"
+#include "layer/gl/debug_output.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
 
@@ -41,6 +42,7 @@ Context::~Context() {
     vertexArrayObjects = {};
     arrayBuffer.reset();
     boundFramebuffer.reset();
+    boundReadFramebuffer.reset();
     boundRenderbuffer.reset();
     units = {};
     defaultTextures = {};

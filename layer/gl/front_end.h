@@ -23,6 +23,7 @@ struct ContextOptions {
   bool robustAccess = false;
   FindImage findImage = nullptr;
   void* display = nullptr;  // for findImage
+  bool loseContextOnReset = false;  // EXT_robustness: resets are told
 };
 
 // A context on `device`. `shareWith` null: a share group of its own. Null: out of memory.

@@ -1,4 +1,5 @@
 // Sections 3.3 to 3.5: points, lines, polygons.
+#include "layer/gl/missing_enums.h"
 #include "layer/gl/params.h"
 
 using namespace anteroom::gl;
@@ -80,11 +81,15 @@ GL_API void GL_APIENTRY glFrontFace(GLenum mode) {
   c->set(c->state.raster.frontFace, mode, gen::kGroupRaster);
 }
 
-GL_API void GL_APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
+GL_API void GL_APIENTRY glPolygonOffsetClampEXT(GLfloat factor, GLfloat units, GLfloat clamp) {
   Context* c = current();
   if (!c) return;
   c->set(c->state.raster.polygonOffsetFactor, factor, gen::kGroupRaster);
   c->set(c->state.raster.polygonOffsetUnits, units, gen::kGroupRaster);
+  c->set(c->state.raster.polygonOffsetClamp, clamp, gen::kGroupRaster);
+}
+GL_API void GL_APIENTRY glPolygonOffset(GLfloat factor, GLfloat units) {
+  glPolygonOffsetClampEXT(factor, units, 0);
 }
 GL_API void GL_APIENTRY glPolygonOffsetx(GLfixed factor, GLfixed units) {
   glPolygonOffset(fromFixed(factor), fromFixed(units));

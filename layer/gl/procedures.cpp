@@ -3,6 +3,7 @@
 #include <iterator>
 
 #include "layer/gl/context.h"
+#include "layer/gl/missing_enums.h"
 
 namespace anteroom::gl {
 

@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "layer/gl/buffer.h"
+#include "layer/gl/debug_output.h"
 #include "layer/gl/enables.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/hints.h"
@@ -260,6 +261,9 @@ bool getColoringAndRasterization(Context& c, GLenum name, Results& results) {
     case GL_POLYGON_OFFSET_UNITS:
       results.number(raster.polygonOffsetUnits);
       break;
+    case GL_POLYGON_OFFSET_CLAMP_EXT:
+      results.number(raster.polygonOffsetClamp);
+      break;
     case GL_SAMPLE_COVERAGE_VALUE:
       results.number(c.state.ops.sampleCoverageValue);
       break;
@@ -388,7 +392,6 @@ bool getTexturesPixelsAndHints(Context& c, GLenum name, Results& results) {
 bool getLimits(Context& c, GLenum name, Results& results) {
   const render::Caps& caps = c.device.caps();
   const auto range = [&](const float(&r)[2]) { results.numbers(glm::vec2(r[0], r[1])); };
-  const int samples = c.state.framebuffer.samples;
   switch (name) {
     case GL_MAX_LIGHTS:
       results.integer(gen::kMaxLights);
@@ -432,6 +435,20 @@ bool getLimits(Context& c, GLenum name, Results& results) {
     case GL_FRAMEBUFFER_BINDING_OES:
       results.integer(c.boundFramebuffer ? c.boundFramebuffer->name : 0);
       break;
+    case GL_READ_FRAMEBUFFER_BINDING_APPLE:
+      results.integer(c.boundReadFramebuffer ? c.boundReadFramebuffer->name : 0);
+      break;
+    case GL_MAX_SAMPLES_EXT:
+    case GL_MAX_SAMPLES_IMG:
+      results.integer(caps.maxSamples > 1 ? caps.maxSamples : 0);
+      break;
+    case GL_CONTEXT_ROBUST_ACCESS_EXT:
+      results.boolean(c.options.robustAccess);
+      break;
+    case GL_RESET_NOTIFICATION_STRATEGY_EXT:
+      results.enumerant(c.options.loseContextOnReset ? GL_LOSE_CONTEXT_ON_RESET_EXT
+                                                     : GL_NO_RESET_NOTIFICATION_EXT);
+      break;
     case GL_RENDERBUFFER_BINDING_OES:
       results.integer(c.boundRenderbuffer ? c.boundRenderbuffer->name : 0);
       break;
@@ -453,12 +470,6 @@ bool getLimits(Context& c, GLenum name, Results& results) {
     case GL_MAX_TEXTURE_UNITS:
       results.integer(gen::kMaxTextureUnits);
       break;
-    case GL_SAMPLE_BUFFERS:
-      results.integer(c.hasFramebuffer && samples > 1 ? 1 : 0);
-      break;
-    case GL_SAMPLES:
-      results.integer(c.hasFramebuffer && samples > 1 ? samples : 0);
-      break;
     case GL_NUM_COMPRESSED_TEXTURE_FORMATS:
       results.integer(kPalettedFormats.size());
       break;
@@ -473,15 +484,23 @@ bool getLimits(Context& c, GLenum name, Results& results) {
 
 // Table 6.23, and OES_read_format.
 bool getPixelDepths(Context& c, GLenum name, Results& results) {
-  if (c.boundFramebuffer) {
+  if (c.boundFramebuffer || c.boundReadFramebuffer) {
     ShareLock lock(*c.group);
     c.framebufferComplete();
+    c.readFramebufferComplete();
   }
   const render::Framebuffer& framebuffer = c.state.framebuffer;
   const auto infoOf = [](const render::Attachment& attachment) {
     return attachment.image ? render::info(attachment.image->desc().format) : render::FormatInfo{};
   };
+  const int samples = c.hasFramebuffer && framebuffer.samples > 1 ? framebuffer.samples : 0;
   switch (name) {
+    case GL_SAMPLE_BUFFERS:
+      results.integer(samples > 0 ? 1 : 0);
+      break;
+    case GL_SAMPLES:
+      results.integer(samples);
+      break;
     case GL_RED_BITS:
       results.integer(infoOf(framebuffer.color).red);
       break;
@@ -501,10 +520,10 @@ bool getPixelDepths(Context& c, GLenum name, Results& results) {
       results.integer(stencilBits(c));
       break;
     case GL_IMPLEMENTATION_COLOR_READ_FORMAT_OES:
-      results.enumerant(implementationReadFormat(framebuffer).format);
+      results.enumerant(implementationReadFormat(c.readFramebuffer).format);
       break;
     case GL_IMPLEMENTATION_COLOR_READ_TYPE_OES:
-      results.enumerant(implementationReadFormat(framebuffer).type);
+      results.enumerant(implementationReadFormat(c.readFramebuffer).type);
       break;
     default:
       return false;
@@ -512,18 +531,22 @@ bool getPixelDepths(Context& c, GLenum name, Results& results) {
   return true;
 }
 
-void get(GLenum name, void* out, Results::Form form) {
+void get(GLenum name, void* out, Results::Form form, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || !out) return;
   Results results(out, form);
   if (getTransformation(*c, name, results) || getFragmentOperations(*c, name, results) ||
       getLimits(*c, name, results) || getColoringAndRasterization(*c, name, results) ||
       getTexturesPixelsAndHints(*c, name, results) || getArrays(*c, name, results) ||
-      getCurrentValues(*c, name, results) || getPixelDepths(*c, name, results)) {
+      getCurrentValues(*c, name, results) || getPixelDepths(*c, name, results) ||
+      getDebugOutput(*c, name, results)) {
     return;
   }
   bool enabled = false;
-  if (!isEnabled(*c, name, enabled)) return c->setError(GL_INVALID_ENUM);
+  if (!isEnabled(*c, name, enabled))
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("pname", name, "Ask for a name of tables 6.3 to 6.23, or of an extension"),
+                       command);
   results.boolean(enabled);
 }
 
@@ -573,7 +596,9 @@ GL_API void GL_APIENTRY glGetPointerv(GLenum name, void** params) {
       index = gen::texCoord(c->clientActiveTexture);
       break;
     default:
-      return c->setError(GL_INVALID_ENUM);
+      if (getDebugPointer(*c, name, params)) return;
+      return c->setError(GL_INVALID_ENUM,
+                         wrongEnum("pname", name, "Ask for VERTEX_ARRAY_POINTER or that of another array"));
   }
   *params = const_cast<void*>(c->vertexArrays.arrays[static_cast<size_t>(index)].pointer);
 }

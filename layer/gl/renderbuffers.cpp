@@ -1,5 +1,7 @@
 // OES_framebuffer_object: renderbuffers; their formats also of OES_rgb8_rgba8, OES_depth24, OES_stencil1, 4
 // and 8, and OES_packed_depth_stencil.
+#include <algorithm>
+
 #include "layer/gl/framebuffer_object.h"
 
 using namespace anteroom::gl;
@@ -53,6 +55,59 @@ Format renderableFormat(const render::Caps& caps, Format format) {
   }
 }
 
+// RenderbufferStorageOES, and with samples those of APPLE, EXT and IMG.
+void specifyStorage(GLenum target, GLsizei samples, GLenum internalformat, GLsizei width, GLsizei height,
+                    Multisampling multisampling, const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c) return;
+  const Format asked = formatOf(internalformat);
+  if (target != GL_RENDERBUFFER_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"), command);
+  if (asked == Format::None)
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("internalformat", internalformat,
+                                 "Use a sized format such as RGBA8_OES, RGB565_OES or DEPTH24_STENCIL8_OES"),
+                       command);
+  const render::Caps& caps = c->device.caps();
+  const auto fits = [&](GLsizei size) { return size >= 0 && size <= caps.maxTextureSize; };
+  if (!fits(width) || !fits(height))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber(fits(width) ? "height" : "width", fits(width) ? height : width,
+                                   "Give a size from 0 to the value of MAX_RENDERBUFFER_SIZE_OES"),
+                       command);
+  const int count = sampleCount(caps, samples);
+  if (count < 0)
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("samples", samples, "Give a count from 0 to the value of MAX_SAMPLES_EXT"),
+                       command);
+  ShareLock lock(*c->group);
+  Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
+  if (!renderbuffer)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("No renderbuffer is bound", "Bind one with glBindRenderbufferOES first"),
+                       command);
+  std::shared_ptr<render::Image> image;
+  if (width != 0 && height != 0) {
+    render::ImageDesc desc;
+    desc.format = renderableFormat(caps, asked);
+    desc.width = width;
+    desc.height = height;
+    desc.samples = std::max(count, 1);
+    desc.renderable = true;
+    image = c->device.createImage(desc);
+    if (!image) return c->setError(GL_OUT_OF_MEMORY, {}, command);
+    if (!renderbuffer->label.empty()) image->setLabel(renderbuffer->label);
+  }
+  renderbuffer->internalFormat = internalformat;
+  renderbuffer->width = width;
+  renderbuffer->height = height;
+  renderbuffer->image = std::move(image);
+  renderbuffer->shared.reset();
+  renderbuffer->samples = count;
+  renderbuffer->multisampling = count > 0 ? multisampling : Multisampling::None;
+  c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+}
+
 }  // namespace
 
 GL_API GLboolean GL_APIENTRY glIsRenderbufferOES(GLuint renderbuffer) {
@@ -65,7 +120,8 @@ GL_API GLboolean GL_APIENTRY glIsRenderbufferOES(GLuint renderbuffer) {
 GL_API void GL_APIENTRY glBindRenderbufferOES(GLenum target, GLuint renderbuffer) {
   Context* c = current();
   if (!c) return;
-  if (target != GL_RENDERBUFFER_OES) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"));
   ShareLock lock(*c->group);
   if (renderbuffer == 0) return c->boundRenderbuffer.reset();
   std::shared_ptr<Renderbuffer> object = obtain(c->group->renderbuffers, renderbuffer);
@@ -76,7 +132,7 @@ GL_API void GL_APIENTRY glBindRenderbufferOES(GLenum target, GLuint renderbuffer
 GL_API void GL_APIENTRY glDeleteRenderbuffersOES(GLsizei n, const GLuint* renderbuffers) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!renderbuffers) return;
   ShareLock lock(*c->group);
   for (GLsizei i = 0; i < n; ++i) {
@@ -91,7 +147,7 @@ GL_API void GL_APIENTRY glDeleteRenderbuffersOES(GLsizei n, const GLuint* render
 GL_API void GL_APIENTRY glGenRenderbuffersOES(GLsizei n, GLuint* renderbuffers) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!renderbuffers) return;
   ShareLock lock(*c->group);
   if (!c->group->renderbuffers.reserve(n, renderbuffers)) c->setError(GL_OUT_OF_MEMORY);
@@ -99,42 +155,37 @@ GL_API void GL_APIENTRY glGenRenderbuffersOES(GLsizei n, GLuint* renderbuffers) 
 
 GL_API void GL_APIENTRY glRenderbufferStorageOES(GLenum target, GLenum internalformat, GLsizei width,
                                                  GLsizei height) {
-  Context* c = current();
-  if (!c) return;
-  const Format asked = formatOf(internalformat);
-  if (target != GL_RENDERBUFFER_OES || asked == Format::None) return c->setError(GL_INVALID_ENUM);
-  const render::Caps& caps = c->device.caps();
-  if (width < 0 || height < 0 || width > caps.maxTextureSize || height > caps.maxTextureSize) {
-    return c->setError(GL_INVALID_VALUE);
-  }
-  ShareLock lock(*c->group);
-  Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
-  if (!renderbuffer) return c->setError(GL_INVALID_OPERATION);
-  std::shared_ptr<render::Image> image;
-  if (width != 0 && height != 0) {
-    render::ImageDesc desc;
-    desc.format = renderableFormat(caps, asked);
-    desc.width = width;
-    desc.height = height;
-    desc.renderable = true;
-    image = c->device.createImage(desc);
-    if (!image) return c->setError(GL_OUT_OF_MEMORY);
-  }
-  renderbuffer->internalFormat = internalformat;
-  renderbuffer->width = width;
-  renderbuffer->height = height;
-  renderbuffer->image = std::move(image);
-  renderbuffer->shared.reset();
-  c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+  specifyStorage(target, 0, internalformat, width, height, Multisampling::None);
+}
+
+GL_API void GL_APIENTRY glRenderbufferStorageMultisampleAPPLE(GLenum target, GLsizei samples,
+                                                              GLenum internalformat, GLsizei width,
+                                                              GLsizei height) {
+  specifyStorage(target, samples, internalformat, width, height, Multisampling::Apple);
+}
+
+GL_API void GL_APIENTRY glRenderbufferStorageMultisampleEXT(GLenum target, GLsizei samples,
+                                                            GLenum internalformat, GLsizei width,
+                                                            GLsizei height) {
+  specifyStorage(target, samples, internalformat, width, height, Multisampling::Ext);
+}
+
+GL_API void GL_APIENTRY glRenderbufferStorageMultisampleIMG(GLenum target, GLsizei samples,
+                                                            GLenum internalformat, GLsizei width,
+                                                            GLsizei height) {
+  specifyStorage(target, samples, internalformat, width, height, Multisampling::Img);
 }
 
 GL_API void GL_APIENTRY glGetRenderbufferParameterivOES(GLenum target, GLenum pname, GLint* params) {
   Context* c = current();
   if (!c) return;
-  if (target != GL_RENDERBUFFER_OES) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"));
   ShareLock lock(*c->group);
   const Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
-  if (!renderbuffer) return c->setError(GL_INVALID_OPERATION);
+  if (!renderbuffer)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("No renderbuffer is bound", "Bind one with glBindRenderbufferOES first"));
   if (!params) return;
   const render::FormatInfo bits =
       renderbuffer->image ? render::info(renderbuffer->image->desc().format) : render::FormatInfo{};
@@ -166,7 +217,12 @@ GL_API void GL_APIENTRY glGetRenderbufferParameterivOES(GLenum target, GLenum pn
     case GL_RENDERBUFFER_STENCIL_SIZE_OES:
       *params = bits.stencil;
       break;
+    case GL_RENDERBUFFER_SAMPLES_EXT:
+    case GL_RENDERBUFFER_SAMPLES_IMG:
+      *params = renderbuffer->samples;
+      break;
     default:
-      c->setError(GL_INVALID_ENUM);
+      c->setError(GL_INVALID_ENUM,
+                  wrongEnum("pname", pname, "Ask for RENDERBUFFER_WIDTH_OES or another of its values"));
   }
 }

@@ -16,7 +16,10 @@ constexpr std::string_view kExtensions[] = {
 
 // What some devices lack.
 bool offered(const anteroom::render::Caps& caps, std::string_view name) {
-  return name != "GL_EXT_texture_filter_anisotropic" || caps.maxAnisotropy >= 2;
+  if (name == "GL_EXT_texture_filter_anisotropic") return caps.maxAnisotropy >= 2;
+  if (name == "GL_EXT_polygon_offset_clamp") return caps.polygonOffsetClamp;
+  if (name.find("multisample") != name.npos) return caps.maxSamples > 1;
+  return true;
 }
 
 std::string join(const anteroom::render::Caps& caps) {

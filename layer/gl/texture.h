@@ -49,6 +49,7 @@ struct Texture {
 
   const GLuint name;
   const TextureSlot slot;
+  std::string label;
 
   render::Sampler sampler;
   bool generateMipmap = false;
@@ -60,6 +61,10 @@ struct Texture {
 
   // Sampler state or an image changed: every context looks again.
   void changed(Context& c);
+  // `label` changed.
+  void labelChanged() const {
+    if (image_ && !import_) image_->setLabel(label);
+  }
 
   // These change texels; false means out of memory, and that nothing changed. Arguments have been validated.
   // An image of eglBindTexImage is given back when a level is specified.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "layer/gl/framebuffer_object.h"
 #include "layer/gl/paletted.h"
 #include "layer/gl/texture.h"
 
@@ -113,7 +114,7 @@ GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum inte
     return c->setError(GL_INVALID_VALUE);
   }
   const render::Framebuffer& framebuffer = c->readFramebuffer;
-  if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
+  if (const GLenum error = readError(*c)) return c->setError(error, unreadable());
   if (!canCopy(framebuffer, internalformat)) return c->setError(GL_INVALID_OPERATION);
 
   const Format stored = copiedFormat(framebuffer.color.image->desc().format, internalformat);
@@ -132,7 +133,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   if (!validLevel(texture, level) || width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
-  if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
+  if (const GLenum error = readError(*c)) return c->setError(error, unreadable());
   const TextureLevel& t = texture.at(image.face, level);
   // Undefined levels have no base format; paletted ones take no sub-images (OES_compressed_paletted_texture).
   if (!isBaseFormat(t.internalFormat) || !canCopy(c->readFramebuffer, t.internalFormat)) {

@@ -54,7 +54,9 @@ std::shared_ptr<Image> Texture::createImage(Context& c, Format format, int width
   desc.width = width;
   desc.height = height;
   desc.levels = levelCount;
-  return c.device.createImage(desc);
+  std::shared_ptr<Image> image = c.device.createImage(desc);
+  if (image && !label.empty()) image->setLabel(label);
+  return image;
 }
 
 // Levels of one internal format may have been given in different types: the format that holds them all.
