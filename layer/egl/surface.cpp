@@ -97,6 +97,13 @@ SurfaceAttributes parsePbuffer(const EGLint* list, const Config& config) {
   return attributes;
 }
 
+// KHR_gl_colorspace: only colors of 8 bits have an sRGB format.
+Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
+  if (attributes.glColorspace != EGL_GL_COLORSPACE_SRGB) return config.color;
+  if (config.color == Format::RGBA8) return Format::SRGB8Alpha8;
+  return config.color == Format::RGB8 ? Format::SRGB8 : config.color;
+}
+
 // Windows and pixmaps: only what can be said before their native handle is looked at.
 EGLSurface refuseNative(EGLDisplay dpy, EGLConfig config, EGLint error) {
   return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) -> EGLSurface {
@@ -182,7 +189,7 @@ bool Surface::createImages() {
   next.color = framebuffer_.color;
   next.color.level = level;
   if (next.color.image == nullptr) {
-    desc.format = config.color;
+    desc.format = colorFormat(config, attributes);
     desc.width = std::max(1, attributes.width);
     desc.height = std::max(1, attributes.height);
     desc.levels = levels();

@@ -16,7 +16,7 @@ struct SurfaceAttributes {
   EGLint textureFormat = EGL_NO_TEXTURE;
   EGLint textureTarget = EGL_NO_TEXTURE;
   bool mipmapTexture = false;
-  EGLint glColorspace = EGL_GL_COLORSPACE_LINEAR;  // ignored: no ES 1.x context renders to sRGB
+  EGLint glColorspace = EGL_GL_COLORSPACE_LINEAR;  // of 8-bit colors
   EGLint vgColorspace = EGL_VG_COLORSPACE_sRGB;
   EGLint vgAlphaFormat = EGL_VG_ALPHA_FORMAT_NONPRE;
   EGLint mipmapLevel = 0;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "layer/gl/paletted.h"
 #include "layer/gl/texture.h"
 
 namespace anteroom::gl {
@@ -45,7 +44,7 @@ bool attachmentComplete(const AttachmentPoint& point, GLenum attachment) {
   if (size.width <= 0 || size.height <= 0) return false;
   const render::Format format = formatOf(point);
   if (format == render::Format::None) return false;
-  if (point.texture && isPaletted(point.texture->at(point.face, point.level).internalFormat)) return false;
+  if (point.texture && isCompressed(point.texture->at(point.face, point.level).internalFormat)) return false;
   const render::FormatInfo& has = render::info(format);
   switch (attachment) {
     case GL_COLOR_ATTACHMENT0_OES:
@@ -425,6 +424,8 @@ GL_API void GL_APIENTRY glGetFramebufferAttachmentParameterivOES(GLenum target, 
   if (!point || !params) return;
   if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES) {
     *params = point->texture ? GL_TEXTURE : point->renderbuffer ? GL_RENDERBUFFER_OES : GL_NONE_OES;
+  } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT && !point->empty()) {
+    *params = anteroom::render::isSrgb(formatOf(*point)) ? GL_SRGB_EXT : GL_LINEAR;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_OES && !point->empty()) {
     *params = static_cast<GLint>(point->texture ? point->texture->name : point->renderbuffer->name);
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES && point->texture) {

@@ -27,6 +27,10 @@ constexpr Pair kPairs[] = {
     {GL_LUMINANCE_ALPHA, GL_UNSIGNED_BYTE, Format::LA8},
     {GL_LUMINANCE, GL_UNSIGNED_BYTE, Format::L8},
     {GL_ALPHA, GL_UNSIGNED_BYTE, Format::A8},
+    // EXT_texture_format_BGRA8888, EXT_sRGB
+    {GL_BGRA_EXT, GL_UNSIGNED_BYTE, Format::BGRA8},
+    {GL_SRGB_EXT, GL_UNSIGNED_BYTE, Format::SRGB8},
+    {GL_SRGB_ALPHA_EXT, GL_UNSIGNED_BYTE, Format::SRGB8Alpha8},
 };
 
 using Components = std::array<uint32_t, 4>;
@@ -38,6 +42,8 @@ Components unpack(Format format, const uint8_t* texel) {
       return {texel[0], texel[1], texel[2], 255};
     case Format::RGBA8:
       return {texel[0], texel[1], texel[2], texel[3]};
+    case Format::BGRA8:
+      return {texel[2], texel[1], texel[0], texel[3]};
     default:
       std::memcpy(&packed, texel, sizeof packed);
   }
@@ -91,6 +97,16 @@ Rescale makeRescale(int fromBits, int toBits) {
   return table;
 }
 
+// BGRA8 to RGBA8.
+void swapRow(const uint8_t* in, int width, uint8_t* out) {
+  for (int x = 0; x < width; ++x, in += 4, out += 4) {
+    out[0] = in[2];
+    out[1] = in[1];
+    out[2] = in[0];
+    out[3] = in[3];
+  }
+}
+
 void copyRows(const PixelRows& rows, size_t bytes, int height, void* out, size_t outPitch) {
   if (rows.pitch == bytes && outPitch == bytes) {
     std::memcpy(out, rows.data, bytes * static_cast<size_t>(height));
@@ -140,6 +156,13 @@ void convertRows(const PixelRows& rows, int width, int height, Format format, vo
     copyRows(rows, static_cast<size_t>(width) * to.bytes, height, out, outPitch);
     return;
   }
+  if (rows.format == Format::BGRA8 && format == Format::RGBA8) {
+    for (int y = 0; y < height; ++y) {
+      swapRow(static_cast<const uint8_t*>(rows.data) + static_cast<size_t>(y) * rows.pitch, width,
+              static_cast<uint8_t*>(out) + static_cast<size_t>(y) * outPitch);
+    }
+    return;
+  }
   const std::array<Rescale, 4> rescale{makeRescale(from.red, to.red), makeRescale(from.green, to.green),
                                        makeRescale(from.blue, to.blue), makeRescale(from.alpha, to.alpha)};
   for (int y = 0; y < height; ++y) {
@@ -155,8 +178,9 @@ void convertRows(const PixelRows& rows, int width, int height, Format format, vo
 
 PixelFormat implementationReadFormat(const render::Framebuffer& framebuffer) {
   if (framebuffer.color.image) {
-    const PixelFormat own = pixelFormatOf(framebuffer.color.image->desc().format);
-    if (own.format) return own;
+    const Format format = framebuffer.color.image->desc().format;
+    const PixelFormat own = pixelFormatOf(format);
+    if (own.format && !render::isSrgb(format)) return own;
   }
   return {GL_RGBA, GL_UNSIGNED_BYTE};
 }

@@ -17,19 +17,25 @@ struct PixelFormat {
   GLenum type = 0;
 };
 
-bool isPixelFormat(GLenum format);  // Table 3.3
+bool isPixelFormat(GLenum format);  // Table 3.3, with BGRA_EXT, SRGB_EXT and SRGB_ALPHA_EXT
 bool isPixelType(GLenum type);      // Table 3.2
 
-// None: not a pair of Table 3.4.
+// How texels of the pair lie in client memory. None: not a pair of Table 3.4.
 render::Format formatOf(GLenum format, GLenum type);
 // The pair that a color format is: the inverse of formatOf.
 PixelFormat pixelFormatOf(render::Format format);
+// What texels of a format in client memory are stored in.
+constexpr render::Format storedFormat(render::Format format) {
+  return format == render::Format::BGRA8 ? render::Format::RGBA8 : format;
+}
 
-// Bytes from one row to the next (equation 3.11).
-constexpr size_t rowPitch(int width, render::Format format, int alignment) {
-  const size_t bytes = static_cast<size_t>(width) * render::info(format).bytes;
+// Bytes from one row of texels, of `bytes` each, to the next (equation 3.11).
+constexpr size_t rowPitch(int width, size_t bytes, int alignment) {
   const size_t mask = static_cast<size_t>(alignment) - 1;
-  return (bytes + mask) & ~mask;
+  return (static_cast<size_t>(width) * bytes + mask) & ~mask;
+}
+constexpr size_t rowPitch(int width, render::Format format, int alignment) {
+  return rowPitch(width, size_t{render::info(format).bytes}, alignment);
 }
 
 // The format of the same components that loses nothing of `format`, nor of any other with its components.
@@ -53,7 +59,7 @@ struct PixelRows {
 };
 
 // Copies width x height texels, each component rounded to the nearest value of `format`, which has the same
-// components as rows.format.
+// components as rows.format. sRGB colors stay encoded.
 void convertRows(const PixelRows& rows, int width, int height, render::Format format, void* out,
                  size_t outPitch);
 

@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "layer/gl/buffer.h"
+#include "layer/gl/compressed.h"
 #include "layer/gl/debug_output.h"
 #include "layer/gl/enables.h"
 #include "layer/gl/framebuffer_object.h"
@@ -471,10 +472,11 @@ bool getLimits(Context& c, GLenum name, Results& results) {
       results.integer(gen::kMaxTextureUnits);
       break;
     case GL_NUM_COMPRESSED_TEXTURE_FORMATS:
-      results.integer(kPalettedFormats.size());
+      results.integer(static_cast<double>(kPalettedFormats.size() + compressedFormats().size()));
       break;
     case GL_COMPRESSED_TEXTURE_FORMATS:
-      for (GLenum format : kPalettedFormats) results.enumerant(format);
+      for (const GLenum format : kPalettedFormats) results.enumerant(format);
+      for (const CompressedFormat& format : compressedFormats()) results.enumerant(format.name);
       break;
     default:
       return false;

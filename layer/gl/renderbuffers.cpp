@@ -1,5 +1,5 @@
-// OES_framebuffer_object: renderbuffers; their formats also of OES_rgb8_rgba8, OES_depth24, OES_stencil1, 4
-// and 8, and OES_packed_depth_stencil.
+// OES_framebuffer_object: renderbuffers; their formats also of OES_rgb8_rgba8, ARM_rgba8, EXT_sRGB,
+// OES_depth24, OES_depth32, OES_stencil1, 4 and 8, and OES_packed_depth_stencil.
 #include <algorithm>
 
 #include "layer/gl/framebuffer_object.h"
@@ -23,10 +23,14 @@ Format formatOf(GLenum internalFormat) {
       return Format::RGB8;
     case GL_RGBA8_OES:
       return Format::RGBA8;
+    case GL_SRGB8_ALPHA8_EXT:
+      return Format::SRGB8Alpha8;
     case GL_DEPTH_COMPONENT16_OES:
       return Format::Depth16;
     case GL_DEPTH_COMPONENT24_OES:
       return Format::Depth24;
+    case GL_DEPTH_COMPONENT32_OES:
+      return Format::Depth32;
     case GL_DEPTH24_STENCIL8_OES:
       return Format::Depth24Stencil8;
     case GL_STENCIL_INDEX1_OES:
@@ -63,7 +67,9 @@ void specifyStorage(GLenum target, GLsizei samples, GLenum internalformat, GLsiz
   const Format asked = formatOf(internalformat);
   if (target != GL_RENDERBUFFER_OES)
     return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"), command);
-  if (asked == Format::None)
+  const bool lacked =
+      asked == Format::Depth32 && !c->device.caps().renderable[static_cast<size_t>(Format::Depth32)];
+  if (asked == Format::None || lacked)
     return c->setError(GL_INVALID_ENUM,
                        wrongEnum("internalformat", internalformat,
                                  "Use a sized format such as RGBA8_OES, RGB565_OES or DEPTH24_STENCIL8_OES"),

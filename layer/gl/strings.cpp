@@ -6,6 +6,8 @@
 
 using namespace anteroom::gl;
 
+namespace render = anteroom::render;
+
 namespace {
 
 constexpr std::string_view kExtensions[] = {
@@ -15,14 +17,15 @@ constexpr std::string_view kExtensions[] = {
 };
 
 // What some devices lack.
-bool offered(const anteroom::render::Caps& caps, std::string_view name) {
+bool offered(const render::Caps& caps, std::string_view name) {
+  if (name == "GL_OES_depth32") return caps.renderable[static_cast<int>(render::Format::Depth32)];
   if (name == "GL_EXT_texture_filter_anisotropic") return caps.maxAnisotropy >= 2;
   if (name == "GL_EXT_polygon_offset_clamp") return caps.polygonOffsetClamp;
   if (name.find("multisample") != name.npos) return caps.maxSamples > 1;
   return true;
 }
 
-std::string join(const anteroom::render::Caps& caps) {
+std::string join(const render::Caps& caps) {
   std::string joined;
   for (std::string_view name : kExtensions) {
     if (!offered(caps, name)) continue;

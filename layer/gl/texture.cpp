@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <new>
 
-#include "layer/gl/paletted.h"
 #include "layer/gl/texture_upload.h"
 
 namespace anteroom::gl {
@@ -34,11 +33,6 @@ int levelCountFor(TextureSlot slot, const render::Caps& caps) {
 }
 
 }  // namespace
-
-GLenum baseFormatOf(GLenum internalFormat) {
-  const PalettedFormat paletted = palettedFormat(internalFormat);
-  return paletted.indexBits ? pixelFormatOf(paletted.entry).format : internalFormat;
-}
 
 std::unique_ptr<std::byte[]> allocateTexels(int width, int height, Format format, bool zeroed) {
   const size_t bytes = rowPitch(width, format, 1) * static_cast<size_t>(height);
@@ -70,16 +64,17 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
                       const PixelRows& rows) {
   TextureLevel& t = edit(face, level);
   const bool empty = width == 0 || height == 0;
+  const Format stored = storedFormat(rows.format);
   const bool inPlace = !import_ && !hasShared() && t.home && t.width == width && t.height == height &&
-                       t.format == rows.format && t.internalFormat == internalFormat;
+                       t.format == stored && t.internalFormat == internalFormat;
   if (!inPlace) {
     std::unique_ptr<std::byte[]> texels;
     if (rows.data && !empty) {
-      texels = allocateTexels(width, height, rows.format, false);
+      texels = allocateTexels(width, height, stored, false);
       if (!texels) return false;
-      convertRows(rows, width, height, rows.format, texels.get(), rowPitch(width, rows.format, 1));
+      convertRows(rows, width, height, stored, texels.get(), rowPitch(width, stored, 1));
     }
-    return specify(c, face, level, width, height, internalFormat, rows.format, std::move(texels));
+    return specify(c, face, level, width, height, internalFormat, stored, std::move(texels));
   }
   if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
   if (rows.data) {
@@ -105,6 +100,23 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
   changed(c);
   if (level == 0) baseChanged(c, face);
   return true;
+}
+
+void Texture::store(Context& c, int levelCount, int width, int height, GLenum internalFormat, Format format) {
+  releaseImport(c);
+  for (TextureLevel& t : levels_) t = TextureLevel{};
+  image_ = nullptr;
+  immutableLevels_ = levelCount;
+  for (int face = 0; face < faces(); ++face) {
+    for (int level = 0; level < levelCount; ++level) {
+      TextureLevel& t = edit(face, level);
+      t.width = std::max(width >> level, 1);
+      t.height = std::max(height >> level, 1);
+      t.internalFormat = internalFormat;
+      t.format = format;
+    }
+  }
+  changed(c);
 }
 
 bool Texture::replace(Context& c, int face, int level, const Rect& rect, const PixelRows& rows) {
@@ -216,7 +228,8 @@ bool Texture::usesMipmaps() const {
 }
 
 int Texture::chainLength(int width, int height) const {
-  return std::min(log2Floor(std::max({width, height, 1})) + 1, levels());
+  const int length = std::min(log2Floor(std::max({width, height, 1})) + 1, levels());
+  return immutable() ? std::min(length, immutableLevels_) : length;  // EXT_texture_storage, p
 }
 
 int Texture::sampledLevels() const {
@@ -230,6 +243,8 @@ bool Texture::chainComplete(int face) const {
   const int length = sampledLevels();
   for (int level = 1; level < length; ++level) {
     const TextureLevel& t = at(face, level);
+    // OES_required_internalformat: and the same type, where the internal format is a sized one.
+    if (t.format != base.format && isSized(base.internalFormat)) return false;
     if (t.internalFormat != base.internalFormat || t.width != std::max(base.width >> level, 1) ||
         t.height != std::max(base.height >> level, 1)) {
       return false;
@@ -266,7 +281,7 @@ bool Texture::switchesLate() const {
 }
 
 bool Texture::canGenerateMipmaps() const {
-  if (!baseComplete()) return false;
+  if (!baseComplete() || isSrgb(at(0, 0).internalFormat)) return false;  // EXT_sRGB
   return !import_ || import_->desc().levels >= chainLength(at(0, 0).width, at(0, 0).height);
 }
 
@@ -280,7 +295,7 @@ bool Texture::generateMipmaps(Context& c) {
 // --- automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
 
 bool Texture::derives(GLenum internalFormat) const {
-  return generateMipmap && !isPaletted(internalFormat);
+  return generateMipmap && !isCompressed(internalFormat) && !isSrgb(internalFormat);
 }
 
 bool Texture::hasDerived(int face, int from) const {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "layer/gl/context.h"
+#include "layer/gl/internal_format.h"
 #include "layer/gl/pixel.h"
 #include "layer/gl/shared_image.h"
 #include "layer/render/renderer.h"
@@ -26,7 +27,7 @@ struct TextureLevel {
   bool isShared() const;  // a sibling of an EGLImage
 
   int width = 0, height = 0;  // texels
-  GLenum internalFormat = 1;  // as specified: a base format or a paletted one (section 3.7.10)
+  GLenum internalFormat = 1;  // as specified (internal_format.h; section 3.7.10)
   render::Format format = render::Format::None;
 
   // Where the texels are: at most one of these. Neither: they are undefined, or derived.
@@ -36,9 +37,6 @@ struct TextureLevel {
   std::shared_ptr<SharedImage> shared;  // counts as long as home is its image
   bool derived = false;  // to be computed from level 0 (section 3.7.7, automatic mipmap generation)
 };
-
-// ALPHA, LUMINANCE, LUMINANCE_ALPHA, RGB or RGBA.
-GLenum baseFormatOf(GLenum internalFormat);
 
 // Memory for texels. Null: out of memory.
 std::unique_ptr<std::byte[]> allocateTexels(int width, int height, render::Format format, bool zeroed);
@@ -75,6 +73,12 @@ struct Texture {
   // The same with texels that the texture takes over: rows of `format` without gaps, or null.
   bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
                render::Format format, std::unique_ptr<std::byte[]> texels);
+  // TexStorage2DEXT: all levels anew, of one format, their texels undefined.
+  void store(Context& c, int levelCount, int width, int height, GLenum internalFormat, render::Format format);
+  bool immutable() const { return immutableLevels_ != 0; }
+  int immutableLevels() const { return immutableLevels_; }
+  // CopyTextureLevelsAPPLE, one level: both are of one size and format.
+  bool copyLevel(Context& c, int level, Texture& source, int sourceLevel);
   // TexSubImage2D.
   bool replace(Context& c, int face, int level, const render::Rect& rect, const PixelRows& rows);
   // CopyTexImage2D: the rectangle of the current framebuffer whose lower left corner is (rect.x, rect.y).
@@ -162,6 +166,7 @@ struct Texture {
   std::shared_ptr<render::Image> image_;   // what is sampled, or was
   std::shared_ptr<render::Image> import_;  // image_ belongs to EGL
   bool target_ = false;                    // of an EGLImage: image_ is the image that it shows a part of
+  int immutableLevels_ = 0;                // 0: not an immutable-format texture
   bool ready_ = false;                     // image_ has what the sampler can select
 };
 

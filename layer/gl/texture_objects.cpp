@@ -117,7 +117,10 @@ void resolveTextureUnits(Context& c) {
 bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {
   if (target != GL_TEXTURE_2D || !image || image->desc().dimension != render::Dimension::Flat) return false;
   ShareLock lock(*c.group);
-  boundTexture(c, kSlot2D).import(c, image, alpha ? GL_RGBA : GL_RGB);
+  Texture& texture = boundTexture(c, kSlot2D);
+  if (texture.immutable()) return false;  // EXT_texture_storage
+  const GLenum linear = alpha ? GL_RGBA : GL_RGB, encoded = alpha ? GL_SRGB_ALPHA_EXT : GL_SRGB_EXT;
+  texture.import(c, image, render::isSrgb(image->desc().format) ? encoded : linear);
   return true;
 }
 

@@ -107,6 +107,8 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form)
       return results.integer(texture.sampler.maxLevel);
     case GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES:
       return results.integer(1);
+    case GL_TEXTURE_IMMUTABLE_FORMAT_EXT:
+      return results.enumerant(texture.immutable() ? GL_TRUE : GL_FALSE);
     case GL_TEXTURE_CROP_RECT_OES:
       for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
       return;

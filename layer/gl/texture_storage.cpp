@@ -213,6 +213,17 @@ bool Texture::reside(Context& c, int face, int level) {
   return move(c, face, level, image_, level);
 }
 
+bool Texture::copyLevel(Context& c, int level, Texture& source, int sourceLevel) {
+  for (int face = 0; face < faces(); ++face) {
+    if (source.hasDerived(face) && !source.settle(c, face)) return false;
+    if (hasDerived(face) && !settle(c, face)) return false;
+    if (!reside(c, face, level) || !source.copyTexels(c, face, sourceLevel, placeOf(face, level)))
+      return false;
+    if (level == 0) baseChanged(c, face);
+  }
+  return true;
+}
+
 render::Attachment Texture::attachment(Context& c, int face, int level) {
   if (hasDerived(face) && !settle(c, face)) return {};
   if (!reside(c, face, level)) return {};

@@ -17,7 +17,7 @@ constexpr uint32_t rescale(uint32_t value, uint32_t fromMax, uint32_t toMax) {
 }
 
 // Rows of `count` texels. What a format lacks becomes 0, and alpha 1; luminance goes to red, green and blue,
-// and comes from red.
+// and comes from red. sRGB colors stay encoded.
 inline void toRgba8(Format format, const std::byte* in, int count, std::byte* out) {
   const auto* bytes = reinterpret_cast<const uint8_t*>(in);
   auto* to = reinterpret_cast<uint8_t*>(out);
@@ -43,9 +43,11 @@ inline void toRgba8(Format format, const std::byte* in, int count, std::byte* ou
         put(t[0], t[0], t[0], t[1]);
         break;
       case Format::RGB8:
+      case Format::SRGB8:
         put(t[0], t[1], t[2], 255);
         break;
       case Format::RGBA8:
+      case Format::SRGB8Alpha8:
         put(t[0], t[1], t[2], t[3]);
         break;
       case Format::RGB565:
@@ -84,9 +86,11 @@ inline void fromRgba8(Format format, const std::byte* in, int count, std::byte* 
         to[0] = t[0], to[1] = t[3];
         break;
       case Format::RGB8:
+      case Format::SRGB8:
         std::memcpy(to, t, 3);
         break;
       case Format::RGBA8:
+      case Format::SRGB8Alpha8:
         std::memcpy(to, t, 4);
         break;
       case Format::RGB565:

@@ -95,7 +95,7 @@ struct Caps {
   float maxLodBias = 14;  // largest absolute value of TEXTURE_LOD_BIAS that is not clamped
   bool isCpu = false;
   // Formats in which framebuffers can be offered without loss; sample counts other than 1 that work with all.
-  bool renderable[16] = {};  // indexed by Format
+  bool renderable[kFormatCount] = {};  // indexed by Format
   int maxSamples = 1;
   bool polygonOffsetClamp = true;
 };

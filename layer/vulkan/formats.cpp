@@ -46,6 +46,8 @@ constexpr Candidate kRgb565[] = {
 };
 constexpr Candidate kRgba8[] = {{VK_FORMAT_R8G8B8A8_UNORM, Conversion::None, 4, true}};
 constexpr Candidate kRgb8[] = {{VK_FORMAT_R8G8B8A8_UNORM, Conversion::AddAlpha, 4, true}};
+constexpr Candidate kSrgb8[] = {{VK_FORMAT_R8G8B8A8_SRGB, Conversion::AddAlpha, 4, true}};
+constexpr Candidate kSrgb8Alpha8[] = {{VK_FORMAT_R8G8B8A8_SRGB, Conversion::None, 4, true}};
 constexpr Candidate kR8[] = {{VK_FORMAT_R8_UNORM, Conversion::None, 1, true}};
 constexpr Candidate kRg8[] = {{VK_FORMAT_R8G8_UNORM, Conversion::None, 2, true}};
 
@@ -120,14 +122,18 @@ StoreFormats chooseFormats(VkPhysicalDevice device, const Features& features) {
   at(Format::RGB565) = chooseColor(device, features, kRgb565, kOpaque, true);
   at(Format::RGBA4444) = chooseColor(device, features, kRgba4444, kAsIs, true);
   at(Format::RGBA5551) = chooseColor(device, features, kRgba5551, kAsIs, true);
+  at(Format::SRGB8) = chooseColor(device, features, kSrgb8, kOpaque, true);
+  at(Format::SRGB8Alpha8) = chooseColor(device, features, kSrgb8Alpha8, kAsIs, true);
 
   constexpr VkImageAspectFlags depth = VK_IMAGE_ASPECT_DEPTH_BIT, stencil = VK_IMAGE_ASPECT_STENCIL_BIT;
   constexpr VkFormat d16[] = {VK_FORMAT_D16_UNORM};
   constexpr VkFormat d24[] = {VK_FORMAT_X8_D24_UNORM_PACK32, VK_FORMAT_D32_SFLOAT};
+  constexpr VkFormat d32[] = {VK_FORMAT_D32_SFLOAT};
   constexpr VkFormat d24s8[] = {VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT};
   constexpr VkFormat s8[] = {VK_FORMAT_S8_UINT, VK_FORMAT_D24_UNORM_S8_UINT, VK_FORMAT_D32_SFLOAT_S8_UINT};
   at(Format::Depth16) = chooseDepth(device, d16, depth);
   at(Format::Depth24) = chooseDepth(device, d24, depth);
+  at(Format::Depth32) = chooseDepth(device, d32, depth);
   at(Format::Depth24Stencil8) = chooseDepth(device, d24s8, depth | stencil);
   at(Format::Stencil8) = chooseDepth(device, s8, stencil);
   return formats;

@@ -33,7 +33,7 @@ struct StoreFormat {
   bool renderable = false;   // without loss
   bool storesAlpha = false;  // the store has an alpha channel
 };
-using StoreFormats = std::array<StoreFormat, 16>;
+using StoreFormats = std::array<StoreFormat, render::kFormatCount>;
 
 StoreFormats chooseFormats(VkPhysicalDevice device, const Features& features);
 

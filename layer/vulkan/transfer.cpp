@@ -158,11 +158,14 @@ bool VulkanContext::copyFromFramebuffer(render::Image& target, const render::Reg
   VulkanImage& from = vulkan(*source.readable().image);
   if (from.pending.aspects && !materialise(from)) return false;
   if (image.pending.aspects && !materialise(image)) return false;
-  // Alpha cannot move to another channel in a blit, nor can a format that the device lacks.
+  // Alpha cannot move to another channel in a blit, nor can a format that the device lacks; and sRGB colors
+  // are copied as they are encoded.
   const bool swizzled = render::info(image.desc().format).alpha && !image.format().storesAlpha;
   const bool widened =
       image.format().conversion == Conversion::Widen || from.format().conversion == Conversion::Widen;
-  if (swizzled || widened || &from == &image) return copyThroughMemory(image, inside, source, x, y);
+  const bool encoded = render::isSrgb(image.desc().format) || render::isSrgb(from.desc().format);
+  if (swizzled || widened || encoded || &from == &image)
+    return copyThroughMemory(image, inside, source, x, y);
   return copyOnDevice(image, inside, source, x, y);
 }
 

@@ -159,11 +159,14 @@ const std::vector<Variable>& variables() {
       VARIABLE(GL_MAX_TEXTURE_UNITS, 8),
       VARIABLE(GL_SAMPLE_BUFFERS, 0),
       VARIABLE(GL_SAMPLES, 0),
-      VARIABLE(GL_NUM_COMPRESSED_TEXTURE_FORMATS, 10),
+      VARIABLE(GL_NUM_COMPRESSED_TEXTURE_FORMATS, 21),
       VARIABLE(GL_COMPRESSED_TEXTURE_FORMATS, GL_PALETTE4_RGB8_OES, GL_PALETTE4_RGBA8_OES,
                GL_PALETTE4_R5_G6_B5_OES, GL_PALETTE4_RGBA4_OES, GL_PALETTE4_RGB5_A1_OES, GL_PALETTE8_RGB8_OES,
                GL_PALETTE8_RGBA8_OES, GL_PALETTE8_R5_G6_B5_OES, GL_PALETTE8_RGBA4_OES,
-               GL_PALETTE8_RGB5_A1_OES),
+               GL_PALETTE8_RGB5_A1_OES, GL_ETC1_RGB8_OES, GL_COMPRESSED_RGB_S3TC_DXT1_EXT,
+               GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, 0x83F2, 0x83F3, GL_3DC_X_AMD, GL_3DC_XY_AMD,
+               GL_COMPRESSED_RGB_PVRTC_4BPPV1_IMG, GL_COMPRESSED_RGB_PVRTC_2BPPV1_IMG,
+               GL_COMPRESSED_RGBA_PVRTC_4BPPV1_IMG, GL_COMPRESSED_RGBA_PVRTC_2BPPV1_IMG),
       VARIABLE(GL_RED_BITS, 8),
       VARIABLE(GL_GREEN_BITS, 8),
       VARIABLE(GL_BLUE_BITS, 8),
@@ -190,7 +193,7 @@ TEST_F(QueryTest, EveryVariableBeginsAsItsTableSays) {
   for (const Variable& variable : variables()) {
     SCOPED_TRACE(variable.name);
     constexpr GLfloat kUntouched = -12345;
-    GLfloat floats[18];
+    GLfloat floats[24];
     std::fill(std::begin(floats), std::end(floats), kUntouched);
     glGetFloatv(variable.pname, floats);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
@@ -198,7 +201,7 @@ TEST_F(QueryTest, EveryVariableBeginsAsItsTableSays) {
     for (size_t i = 0; i < count; ++i) EXPECT_EQ(floats[i], static_cast<GLfloat>(variable.initial[i])) << i;
     EXPECT_EQ(floats[count], kUntouched);
 
-    GLboolean booleans[18];
+    GLboolean booleans[24];
     glGetBooleanv(variable.pname, booleans);
     for (size_t i = 0; i < count; ++i) EXPECT_EQ(booleans[i] != GL_FALSE, variable.initial[i] != 0) << i;
   }
@@ -213,7 +216,7 @@ TEST_F(QueryTest, IntegersAndEnumsReadAsThemselves) {
                             variable.pname == GL_DEPTH_CLEAR_VALUE || variable.pname == GL_ALPHA_TEST_REF;
     if (normalised) continue;
     SCOPED_TRACE(variable.name);
-    GLint integers[18] = {};
+    GLint integers[24] = {};
     glGetIntegerv(variable.pname, integers);
     for (size_t i = 0; i < variable.initial.size(); ++i) {
       EXPECT_EQ(integers[i], static_cast<GLint>(variable.initial[i])) << i;

@@ -156,7 +156,9 @@ unsigned logicOperation(GLenum op, unsigned s, unsigned d, unsigned largest) {
   }
 }
 
+// Encoded colors have no bits to combine: the operation is without effect, as in Vulkan.
 glm::dvec4 logicOp(GLenum op, const glm::dvec4& s, const glm::dvec4& d, render::Format format) {
+  if (render::isSrgb(format)) return s;
   const render::FormatInfo& bits = render::info(format);
   const int count[4] = {bits.red, bits.green, bits.blue, bits.alpha};
   glm::dvec4 result(0, 0, 0, 1);

@@ -91,6 +91,21 @@ bool isPacked(Format format) {
 
 }  // namespace
 
+glm::dvec4 encoded(Format format, const glm::dvec4& color) {
+  if (!render::isSrgb(format)) return color;
+  const auto encode = [](double c) {
+    if (!(c > 0)) return 0.0;
+    return c < 0.0031308 ? 12.92 * c : std::min(1.055 * std::pow(c, 1 / 2.4) - 0.055, 1.0);
+  };
+  return {encode(color.r), encode(color.g), encode(color.b), color.a};
+}
+
+glm::dvec4 linear(Format format, const glm::dvec4& encodedColor) {
+  if (!render::isSrgb(format)) return encodedColor;
+  const auto decode = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return {decode(encodedColor.r), decode(encodedColor.g), decode(encodedColor.b), encodedColor.a};
+}
+
 glm::dvec4 decode(Format format, const std::byte* texel) {
   const auto byte = [&](int i) { return fromBits(std::to_integer<unsigned>(texel[i]), 8); };
   switch (format) {
@@ -101,8 +116,10 @@ glm::dvec4 decode(Format format, const std::byte* texel) {
     case Format::LA8:
       return {byte(0), byte(0), byte(0), byte(1)};
     case Format::RGB8:
+    case Format::SRGB8:
       return {byte(0), byte(1), byte(2), 1};
     case Format::RGBA8:
+    case Format::SRGB8Alpha8:
       return {byte(0), byte(1), byte(2), byte(3)};
     default:
       break;
@@ -156,15 +173,18 @@ glm::dvec4 quantise(Format format, const glm::dvec4& color) {
       return {glm::dvec3(toNearest(color.r, 8)), 1};
     case Format::LA8:
       return {glm::dvec3(toNearest(color.r, 8)), toNearest(color.a, 8)};
-    default:
-      return {toNearest(color.r, bits.red), toNearest(color.g, bits.green), toNearest(color.b, bits.blue),
-              bits.alpha != 0 ? toNearest(color.a, bits.alpha) : 1.0};
+    default: {
+      const glm::dvec4 c = encoded(format, color);
+      return linear(format, {toNearest(c.r, bits.red), toNearest(c.g, bits.green), toNearest(c.b, bits.blue),
+                             bits.alpha != 0 ? toNearest(c.a, bits.alpha) : 1.0});
+    }
   }
 }
 
 double quantiseDepth(Format format, double z) {
   const double largest = std::ldexp(1.0, info(format).depth) - 1;
   if (!(z > 0)) return 0;
+  if (format == Format::Depth32) return static_cast<float>(std::min(z, 1.0));
   return std::floor(std::min(z, 1.0) * largest + 0.5) / largest;
 }
 

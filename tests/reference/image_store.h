@@ -1,4 +1,5 @@
-// Images of the reference renderer: texels as float64, already rounded to what the image's format can hold.
+// Images of the reference renderer: texels as float64, already rounded to what the image's format can hold;
+// colors of sRGB formats as linear ones.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -49,8 +50,13 @@ class StoredBuffer final : public render::Buffer {
   std::vector<std::byte> bytes_;
 };
 
+// EXT_sRGB: colors of sRGB formats as they are encoded, and back. Others stay as they are.
+glm::dvec4 encoded(render::Format format, const glm::dvec4& color);
+glm::dvec4 linear(render::Format format, const glm::dvec4& encodedColor);
+
 // One texel between client memory and float64; components that the format lacks read as Table 3.11 fills
-// them: luminance in red, green and blue, alpha 1, colors of an alpha format 0.
+// them: luminance in red, green and blue, alpha 1, colors of an alpha format 0. Neither decodes nor encodes
+// sRGB colors.
 glm::dvec4 decode(render::Format format, const std::byte* texel);
 void encode(render::Format format, const glm::dvec4& color, std::byte* texel);
 

@@ -14,6 +14,15 @@ using gen::PrimitiveClass;
 
 namespace {
 
+// Section 3.5.2: the smallest difference between depths that the buffer resolves. Of floats, it depends on
+// the depth.
+double depthStep(const render::Framebuffer& framebuffer, double highest) {
+  if (framebuffer.depth.image == nullptr) return std::ldexp(1.0, -24);
+  const render::Format format = framebuffer.depth.image->desc().format;
+  if (format == render::Format::Depth32) return highest > 0 ? std::ldexp(1.0, std::ilogb(highest) - 23) : 0;
+  return std::ldexp(1.0, -render::info(format).depth);
+}
+
 constexpr double kSubpixels = 256;  // Vulkan's subPixelPrecisionBits = 8
 
 struct SamplePosition {
@@ -238,11 +247,9 @@ void Rasteriser::triangle(const WindowPrimitive& primitive, int fromRow, int toR
   double offset = 0;  // section 3.5.2
   if (state_.raster.polygonOffsetFill && !barycentric.degenerate()) {
     const double slopeX = depthAt(1, 0) - depthAt(0, 0), slopeY = depthAt(0, 1) - depthAt(0, 0);
-    const int bits = state_.framebuffer.depth.image != nullptr
-                         ? render::info(state_.framebuffer.depth.image->desc().format).depth
-                         : 24;
+    const double highest = std::max({v[0].window.z, v[1].window.z, v[2].window.z});
     offset = std::max(std::abs(slopeX), std::abs(slopeY)) * double(state_.raster.polygonOffsetFactor) +
-             std::ldexp(1.0, -bits) * double(state_.raster.polygonOffsetUnits);
+             depthStep(state_.framebuffer, highest) * double(state_.raster.polygonOffsetUnits);
     const double most = double(state_.raster.polygonOffsetClamp);  // EXT_polygon_offset_clamp
     if (most > 0) offset = std::min(offset, most);
     if (most < 0) offset = std::max(offset, most);

@@ -37,7 +37,7 @@ void overRows(int height, const Work& work) {
   for (std::thread& thread : others) thread.join();
 }
 
-// The mean of a pixel's samples.
+// The mean of a pixel's samples, as copies and reads see it: sRGB colors are encoded.
 glm::dvec4 resolved(const Framebuffer& framebuffer, int x, int y) {
   const Attachment& at = framebuffer.readable();
   StoredImage& image = stored(*at.image);
@@ -45,7 +45,7 @@ glm::dvec4 resolved(const Framebuffer& framebuffer, int x, int y) {
   glm::dvec4 sum(0);
   for (int s = 0; s < samples; ++s)
     sum += image.level(at.level).color[image.index(at.level, x, memoryRow(framebuffer, y), at.layer, s)];
-  return sum / double(samples);
+  return encoded(image.desc().format, sum / double(samples));
 }
 
 // Calls `visit(index of the texel, index of its first sample)` for each pixel of a framebuffer whose samples
@@ -196,7 +196,7 @@ bool ReferenceContext::upload(render::Image& target, const render::Region& regio
         const std::byte* from = static_cast<const std::byte*>(data) + static_cast<size_t>(z) * slicePitch +
                                 static_cast<size_t>(y) * rowPitch + static_cast<size_t>(x) * bytes;
         const size_t at = image.index(region.level, region.x + x, region.y + y, region.z + region.layer + z);
-        image.level(region.level).color[at] = decode(format, from);
+        image.level(region.level).color[at] = linear(format, decode(format, from));
       }
   stats_.bytesUploaded += static_cast<uint64_t>(region.width) * static_cast<uint64_t>(region.height) *
                           static_cast<uint64_t>(region.depth) * bytes;
@@ -213,7 +213,7 @@ bool ReferenceContext::copyFromFramebuffer(render::Image& target, const render::
       if (px < 0 || py < 0 || px >= source.width || py >= source.height) continue;
       const glm::dvec4 color = resolved(source, static_cast<int>(px), static_cast<int>(py));
       const size_t at = image.index(region.level, region.x + i, region.y + j, region.layer);
-      image.level(region.level).color[at] = quantise(image.desc().format, color);
+      image.level(region.level).color[at] = quantise(image.desc().format, linear(image.desc().format, color));
     }
   return true;
 }
