@@ -1,5 +1,5 @@
-// The names that core commands had in OES_fixed_point and OES_single_precision (sections C.3.2 and C.3.3), and
-// in IMG_user_clip_plane.
+// The names that core commands had in OES_fixed_point and OES_single_precision (sections C.3.2 and C.3.3),
+// and in IMG_user_clip_plane.
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 

@@ -22,7 +22,7 @@ struct ContextOptions {
   bool noError = false;
   bool robustAccess = false;
   FindImage findImage = nullptr;
-  void* display = nullptr;  // for findImage
+  void* display = nullptr;          // for findImage
   bool loseContextOnReset = false;  // EXT_robustness: resets are told
 };
 

@@ -3,8 +3,8 @@
 // A Device belongs to an EGLDisplay; a Context to a GL context; images and buffers belong to a share group,
 // images of EGLImages to several, and are held by shared_ptr: a renderer keeps what the GPU still uses alive
 // after the last reference is gone. Device is thread-safe. A Context, and the images and buffers it uses, are
-// used by one thread at a time: the front end sees to that. Functions that can run out of memory say so by their result and change
-// nothing.
+// used by one thread at a time: the front end sees to that. Functions that can run out of memory say so by
+// their result and change nothing.
 #pragma once
 
 #include <cstddef>
