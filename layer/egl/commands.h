@@ -69,6 +69,7 @@
   X(eglQueryDeviceStringEXT)               \
   X(eglQueryDevicesEXT)                    \
   X(eglQueryDisplayAttribEXT)              \
+  X(eglSignalSyncKHR)                      \
   X(eglWaitSyncKHR)
 // clang-format on
 

@@ -30,14 +30,16 @@ void setAttribute(ContextAttributes& attributes, EGLint name, EGLAttrib value) {
       attributes.options.debug = toBoolean(value);
       break;
     case EGL_CONTEXT_OPENGL_ROBUST_ACCESS:
+    case EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT:
       attributes.options.robustAccess = toBoolean(value);
       break;
     case EGL_CONTEXT_OPENGL_NO_ERROR_KHR:
       attributes.options.noError = toBoolean(value);
       break;
     case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY:
+    case EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT:
       require(value == EGL_NO_RESET_NOTIFICATION || value == EGL_LOSE_CONTEXT_ON_RESET, EGL_BAD_ATTRIBUTE);
-      attributes.resetNotification = static_cast<EGLenum>(value);
+      attributes.options.loseContextOnReset = value == EGL_LOSE_CONTEXT_ON_RESET;
       break;
     default:
       throw Error{EGL_BAD_ATTRIBUTE};
@@ -49,10 +51,9 @@ ContextAttributes parse(const EGLint* list) {
   forEachAttribute(list, [&](EGLint name, EGLAttrib value) { setAttribute(attributes, name, value); });
   // Neither undefined versions nor those of which no config has the bit (section 3.7.1, errors).
   require(attributes.major == 1 && (attributes.minor == 0 || attributes.minor == 1), EGL_BAD_MATCH);
-  // Needs GL_EXT_robustness.
-  require(!attributes.options.robustAccess, EGL_BAD_MATCH);
   // EGL_KHR_create_context_no_error.
-  require(!attributes.options.noError || !attributes.options.debug, EGL_BAD_MATCH);
+  const gl::ContextOptions& options = attributes.options;
+  require(!options.noError || !(options.debug || options.robustAccess || options.loseContextOnReset), EGL_BAD_MATCH);
   return attributes;
 }
 
@@ -62,7 +63,7 @@ std::shared_ptr<Context> findShared(const Display& display, EGLContext handle,
   if (handle == EGL_NO_CONTEXT) return nullptr;
   auto shared = display.contexts.find(handle);
   if (shared == nullptr) throw Error{isContextOfAnyDisplay(handle) ? EGL_BAD_MATCH : EGL_BAD_CONTEXT};
-  require(shared->attributes.resetNotification == attributes.resetNotification, EGL_BAD_MATCH);
+  require(shared->attributes.options.loseContextOnReset == attributes.options.loseContextOnReset, EGL_BAD_MATCH);
   require(shared->attributes.options.noError == attributes.options.noError, EGL_BAD_MATCH);
   return shared;
 }

@@ -18,7 +18,6 @@ struct ContextAttributes {
   EGLint major = 1;
   EGLint minor = 0;
   gl::ContextOptions options;
-  EGLenum resetNotification = EGL_NO_RESET_NOTIFICATION;
 };
 
 struct Context {

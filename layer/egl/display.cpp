@@ -66,6 +66,7 @@ void Display::initialize() {
 }
 
 void Display::terminate() {
+  syncs.forEach([](Sync& sync) { sync.abandon(); });
   syncs.clear();
   images.clear();
   surfaces.clear();

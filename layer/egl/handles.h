@@ -31,6 +31,10 @@ class Handles {
     auto node = objects_.extract(handle);
     return node.empty() ? nullptr : std::move(node.mapped());
   }
+  template <typename Visitor>
+  void forEach(Visitor visit) const {
+    for (const auto& [handle, object] : objects_) visit(*object);
+  }
   void clear() { objects_.clear(); }
 
  private:

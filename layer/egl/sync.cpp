@@ -2,6 +2,8 @@
 
 #include <EGL/eglext.h>
 
+#include <chrono>
+
 #include "layer/egl/attributes.h"
 #include "layer/egl/current.h"
 #include "layer/egl/display.h"
@@ -14,11 +16,12 @@ template <typename Integer>
 EGLSync createSync(EGLDisplay dpy, EGLenum type, const Integer* attributes, EGLint unknownType) {
   return command<EGLSync>(EGL_NO_SYNC, [&](Lock&) {
     Display& display = initializedDisplay(dpy);
-    require(type == EGL_SYNC_FENCE, unknownType);
+    require(type == EGL_SYNC_FENCE || type == EGL_SYNC_REUSABLE_KHR, unknownType);
     require(isEmpty(attributes), EGL_BAD_ATTRIBUTE);
+    if (type == EGL_SYNC_REUSABLE_KHR) return display.syncs.add(std::make_shared<ReusableSync>());
     const Binding* binding = currentBinding();
     require(binding != nullptr && &binding->context->display == &display, EGL_BAD_MATCH);
-    return display.syncs.add(std::make_shared<Sync>(binding->context));
+    return display.syncs.add(std::make_shared<FenceSync>(binding->context));
   });
 }
 
@@ -29,12 +32,13 @@ EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Inte
     require(value != nullptr, EGL_BAD_PARAMETER);
     switch (attribute) {
       case EGL_SYNC_TYPE:
-        *value = EGL_SYNC_FENCE;
+        *value = static_cast<Integer>(found->type());
         break;
       case EGL_SYNC_STATUS:
         *value = found->wait(lock, 0) ? EGL_SIGNALED : EGL_UNSIGNALED;
         break;
       case EGL_SYNC_CONDITION:
+        require(found->type() == EGL_SYNC_FENCE, EGL_BAD_MATCH);
         *value = EGL_SYNC_PRIOR_COMMANDS_COMPLETE;
         break;
       default:
@@ -46,12 +50,12 @@ EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Inte
 
 }  // namespace
 
-Sync::Sync(const std::shared_ptr<Context>& context)
+FenceSync::FenceSync(const std::shared_ptr<Context>& context)
     : context_(context), fence_(gl::insertFence(*context->gl)) {
   context->fenced = true;
 }
 
-bool Sync::wait(Lock& lock, uint64_t timeout) {
+bool FenceSync::wait(Lock& lock, uint64_t timeout) {
   const auto context = context_.lock();
   if (signaled_ || context == nullptr) return true;
   lock.unlock();
@@ -59,6 +63,28 @@ bool Sync::wait(Lock& lock, uint64_t timeout) {
   lock.lock();
   signaled_ |= passed;
   return passed;
+}
+
+EGLenum ReusableSync::type() const {
+  return EGL_SYNC_REUSABLE_KHR;
+}
+
+bool ReusableSync::wait(Lock& lock, uint64_t timeout) {
+  const uint64_t before = signals_;
+  const auto released = [&] { return signaled_ || signals_ != before; };
+  // Clocks do not reach further.
+  constexpr uint64_t kLongest = uint64_t{1} << 60;
+  if (timeout <= kLongest) {
+    return changed_.wait_for(lock, std::chrono::nanoseconds(static_cast<int64_t>(timeout)), released);
+  }
+  changed_.wait(lock, released);
+  return true;
+}
+
+void ReusableSync::set(bool signaled) {
+  signals_ += signaled && !signaled_;
+  signaled_ = signaled;
+  if (signaled) changed_.notify_all();
 }
 
 }  // namespace anteroom::egl
@@ -76,7 +102,9 @@ EGLSyncKHR EGLAPIENTRY eglCreateSyncKHR(EGLDisplay dpy, EGLenum type, const EGLi
 
 EGLBoolean EGLAPIENTRY eglDestroySync(EGLDisplay dpy, EGLSync sync) {
   return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
-    require(initializedDisplay(dpy).syncs.take(sync) != nullptr, EGL_BAD_PARAMETER);
+    const auto taken = initializedDisplay(dpy).syncs.take(sync);
+    require(taken != nullptr, EGL_BAD_PARAMETER);
+    taken->abandon();
     return EGL_TRUE;
   });
 }
@@ -85,10 +113,22 @@ EGLBoolean EGLAPIENTRY eglDestroySyncKHR(EGLDisplay dpy, EGLSyncKHR sync) {
   return eglDestroySync(dpy, sync);
 }
 
-EGLint EGLAPIENTRY eglClientWaitSync(EGLDisplay dpy, EGLSync sync, EGLint, EGLTime timeout) {
-  return command<EGLint>(EGL_FALSE, [&](Lock& lock) {
-    // EGL_SYNC_FLUSH_COMMANDS_BIT asks for nothing more: inserting a fence flushes.
+EGLBoolean EGLAPIENTRY eglSignalSyncKHR(EGLDisplay dpy, EGLSyncKHR sync, EGLenum mode) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
     const auto found = initializedDisplay(dpy).sync(sync);
+    require(found->type() == EGL_SYNC_REUSABLE_KHR, EGL_BAD_MATCH);
+    require(mode == EGL_SIGNALED_KHR || mode == EGL_UNSIGNALED_KHR, EGL_BAD_ATTRIBUTE);
+    static_cast<ReusableSync&>(*found).set(mode == EGL_SIGNALED_KHR);
+    return EGL_TRUE;
+  });
+}
+
+EGLint EGLAPIENTRY eglClientWaitSync(EGLDisplay dpy, EGLSync sync, EGLint flags, EGLTime timeout) {
+  return command<EGLint>(EGL_FALSE, [&](Lock& lock) {
+    const auto found = initializedDisplay(dpy).sync(sync);
+    // A fence was flushed when it was inserted.
+    const bool flush = (flags & EGL_SYNC_FLUSH_COMMANDS_BIT) != 0 && found->type() != EGL_SYNC_FENCE;
+    if (flush && currentContext() != nullptr && !found->wait(lock, 0)) gl::flush(*currentContext()->gl);
     return found->wait(lock, timeout) ? EGL_CONDITION_SATISFIED : EGL_TIMEOUT_EXPIRED;
   });
 }
@@ -102,7 +142,7 @@ EGLBoolean EGLAPIENTRY eglWaitSync(EGLDisplay dpy, EGLSync sync, EGLint flags) {
     const auto found = initializedDisplay(dpy).sync(sync);
     require(currentContext() != nullptr, EGL_BAD_MATCH);
     require(flags == 0, EGL_BAD_PARAMETER);
-    found->wait(lock, EGL_FOREVER);  // the server may wait on the CPU (section 3.8.1.3)
+    found->waitInServer(lock);
     return EGL_TRUE;
   });
 }

@@ -45,6 +45,10 @@ void Results::put(double value, Kind kind) {
     case Form::Integer:
       static_cast<GLint*>(out_)[i] = kind == Kind::Normalised ? normalisedToInt(value) : roundToInt(value);
       break;
+    case Form::Integer64:
+      static_cast<GLint64*>(out_)[i] =
+          kind == Kind::Normalised ? normalisedToInt(value) : static_cast<GLint64>(std::round(value));
+      break;
     case Form::Fixed:
       static_cast<GLfixed*>(out_)[i] = kind == Kind::Enum ? roundToInt(value) : toFixed(value);
       break;

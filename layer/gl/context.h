@@ -34,6 +34,8 @@ struct Texture;       // texture.h: `GLuint name` and the rest
 class DebugOutput;    // debug_output.h
 struct Renderbuffer;  // framebuffer_object.h
 struct FramebufferObject;
+struct SyncObject;   // fences.h
+struct FenceObject;  // fences.h
 
 // Held, after the group's own, by who uses images of several groups (OES_EGL_image).
 extern std::mutex sharedImagesMutex;
@@ -48,6 +50,7 @@ class ShareGroup {
   ObjectTable<BufferObject> buffers;
   ObjectTable<Renderbuffer> renderbuffers;
   ObjectTable<FramebufferObject> framebuffers;
+  ObjectTable<SyncObject> syncs;
 
   // Raised when any texture's images, completeness or sampler state change, or any buffer's store is
   // replaced: every context of the group then looks at its bindings again before it draws. New contents alone
@@ -222,6 +225,8 @@ class Context {
   uint32_t seenTextureVersion = 0;
   // The renderer's view of the units must be made again. state.dirty cannot say so: any call may consume it.
   bool staleUnits = true;
+
+  ObjectTable<FenceObject> fences;  // NV_fence
 
   // Section 3.6.1.
   int packAlignment = 4;

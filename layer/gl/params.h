@@ -60,7 +60,7 @@ class Params {
 // Where a query puts what it found, in the type that the program asked for. Conversions of section 6.1.2.
 class Results {
  public:
-  enum class Form : uint8_t { Boolean, Integer, Fixed, Float };
+  enum class Form : uint8_t { Boolean, Integer, Integer64, Fixed, Float };
   enum class Kind : uint8_t {
     Boolean,
     Integer,

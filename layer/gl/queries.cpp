@@ -389,6 +389,10 @@ bool getTexturesPixelsAndHints(Context& c, GLenum name, Results& results) {
   return hint != nullptr;
 }
 
+// KHR_debug and KHR_no_error; the header of ES 1.x does not have them.
+constexpr GLenum kContextFlags = 0x821E;
+constexpr GLint kContextFlagDebugBit = 0x2, kContextFlagNoErrorBit = 0x8;
+
 // Tables 6.20 to 6.22.
 bool getLimits(Context& c, GLenum name, Results& results) {
   const render::Caps& caps = c.device.caps();
@@ -423,6 +427,13 @@ bool getLimits(Context& c, GLenum name, Results& results) {
       break;
     case GL_MAX_CUBE_MAP_TEXTURE_SIZE_OES:
       results.integer(caps.maxCubeMapSize);
+      break;
+    case kContextFlags:
+      results.integer((c.options.debug ? kContextFlagDebugBit : 0) |
+                      (c.options.noError ? kContextFlagNoErrorBit : 0));
+      break;
+    case GL_MAX_SERVER_WAIT_TIMEOUT_APPLE:
+      results.integer(0x1p62);  // none: the server waits until the fence has passed
       break;
     case GL_MAX_TEXTURE_LOD_BIAS_EXT:
       results.number(caps.maxLodBias);
@@ -563,6 +574,9 @@ GL_API void GL_APIENTRY glGetBooleanv(GLenum name, GLboolean* data) {
 }
 GL_API void GL_APIENTRY glGetIntegerv(GLenum name, GLint* data) {
   get(name, data, Results::Form::Integer);
+}
+GL_API void GL_APIENTRY glGetInteger64vAPPLE(GLenum name, GLint64* params) {
+  get(name, params, Results::Form::Integer64);
 }
 GL_API void GL_APIENTRY glGetFixedv(GLenum name, GLfixed* data) {
   get(name, data, Results::Form::Fixed);
