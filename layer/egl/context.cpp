@@ -53,7 +53,8 @@ ContextAttributes parse(const EGLint* list) {
   require(attributes.major == 1 && (attributes.minor == 0 || attributes.minor == 1), EGL_BAD_MATCH);
   // EGL_KHR_create_context_no_error.
   const gl::ContextOptions& options = attributes.options;
-  require(!options.noError || !(options.debug || options.robustAccess || options.loseContextOnReset), EGL_BAD_MATCH);
+  require(!options.noError || !(options.debug || options.robustAccess || options.loseContextOnReset),
+          EGL_BAD_MATCH);
   return attributes;
 }
 
@@ -63,7 +64,8 @@ std::shared_ptr<Context> findShared(const Display& display, EGLContext handle,
   if (handle == EGL_NO_CONTEXT) return nullptr;
   auto shared = display.contexts.find(handle);
   if (shared == nullptr) throw Error{isContextOfAnyDisplay(handle) ? EGL_BAD_MATCH : EGL_BAD_CONTEXT};
-  require(shared->attributes.options.loseContextOnReset == attributes.options.loseContextOnReset, EGL_BAD_MATCH);
+  require(shared->attributes.options.loseContextOnReset == attributes.options.loseContextOnReset,
+          EGL_BAD_MATCH);
   require(shared->attributes.options.noError == attributes.options.noError, EGL_BAD_MATCH);
   return shared;
 }

@@ -104,10 +104,11 @@ Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
   return config.color == Format::RGB8 ? Format::SRGB8 : config.color;
 }
 
-// Windows and pixmaps: only what can be said before their native handle is looked at.
-EGLSurface refuseNative(EGLDisplay dpy, EGLConfig config, EGLint error) {
+// Windows and pixmaps: whatever else is wrong, the handle is no native one (EGL_MESA_platform_surfaceless,
+// EGL_EXT_platform_device).
+EGLSurface refuseNative(EGLDisplay dpy, EGLint error) {
   return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) -> EGLSurface {
-    initializedDisplay(dpy).config(config);
+    initializedDisplay(dpy);
     throw Error{error};
   });
 }
@@ -238,37 +239,34 @@ EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
 EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum, EGLClientBuffer,
                                                         EGLConfig config, const EGLint*) {
   // OpenVG images are the only client buffers there are, and no buffer is the handle of one.
-  return refuseNative(dpy, config, EGL_BAD_PARAMETER);
+  return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) -> EGLSurface {
+    initializedDisplay(dpy).config(config);
+    throw Error{EGL_BAD_PARAMETER};
+  });
 }
 
-EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType,
-                                              const EGLint*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_WINDOW);
+EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig, EGLNativeWindowType, const EGLint*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
 }
 
-EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void*,
-                                                      const EGLAttrib*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_WINDOW);
+EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig, void*, const EGLAttrib*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
 }
 
-EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
-                                                         const EGLint*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_WINDOW);
+EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig, void*, const EGLint*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
 }
 
-EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig config, EGLNativePixmapType,
-                                              const EGLint*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_PIXMAP);
+EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig, EGLNativePixmapType, const EGLint*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
 }
 
-EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig config, void*,
-                                                      const EGLAttrib*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_PIXMAP);
+EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig, void*, const EGLAttrib*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
 }
 
-EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig config, void*,
-                                                         const EGLint*) {
-  return refuseNative(dpy, config, EGL_BAD_NATIVE_PIXMAP);
+EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig, void*, const EGLint*) {
+  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
 }
 
 EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface) {

@@ -43,10 +43,14 @@ GLenum renderbufferFormat(const Context& c, render::Format format) {
       return GL_RGB8_OES;
     case render::Format::RGBA8:
       return GL_RGBA8_OES;
+    case render::Format::SRGB8Alpha8:
+      return GL_SRGB8_ALPHA8_EXT;
     case render::Format::Depth16:
       return GL_DEPTH_COMPONENT16_OES;
     case render::Format::Depth24:
       return GL_DEPTH_COMPONENT24_OES;
+    case render::Format::Depth32:
+      return GL_DEPTH_COMPONENT32_OES;
     case render::Format::Depth24Stencil8:
       return GL_DEPTH24_STENCIL8_OES;
     case render::Format::Stencil8:
@@ -101,7 +105,9 @@ GL_API void GL_APIENTRY glEGLImageTargetTexture2DOES(GLenum target, GLeglImageOE
   if (render::isDepthOrStencil(shared->image->desc().format)) return c->setError(GL_INVALID_OPERATION);
   shareImages(*c->group);
   ShareLock lock(*c->group);
-  boundTexture(*c, bindingSlot(target)).adopt(*c, shared);
+  Texture& texture = boundTexture(*c, bindingSlot(target));
+  if (texture.immutable()) return c->setError(GL_INVALID_OPERATION);  // EXT_texture_storage
+  texture.adopt(*c, shared);
 }
 
 GL_API void GL_APIENTRY glEGLImageTargetRenderbufferStorageOES(GLenum target, GLeglImageOES image) {

@@ -106,6 +106,7 @@ void Texture::store(Context& c, int levelCount, int width, int height, GLenum in
   releaseImport(c);
   for (TextureLevel& t : levels_) t = TextureLevel{};
   image_ = nullptr;
+  target_ = false;
   immutableLevels_ = levelCount;
   for (int face = 0; face < faces(); ++face) {
     for (int level = 0; level < levelCount; ++level) {

@@ -396,6 +396,36 @@ TEST_F(EglImages, TargetsAreDefinedAnew) {
   eglDestroyImage(display(), ofB);
 }
 
+// EXT_texture_storage: the levels of an immutable texture can be sources; it cannot become a target, but a
+// target can become immutable.
+TEST_F(EglImages, ImmutableTextures) {
+  NEEDS_EXTENSION("GL_EXT_texture_storage");
+  COMMAND(PFNGLTEXSTORAGE2DEXTPROC, TexStorage2DEXT);
+  const GLuint source = newTexture();
+  TexStorage2DEXT(GL_TEXTURE_2D, 3, GL_RGBA8_OES, 8, 8);
+  for (GLint level = 0; level < 3; ++level) replace(kRed, 8 >> level, level);
+  const EGLImage image = imageOf(EGL_GL_TEXTURE_2D, source, 2);
+  ASSERT_NE(image, EGL_NO_IMAGE);
+  EXPECT_EQ(imageOf(EGL_GL_TEXTURE_2D, source, 3), EGL_NO_IMAGE);
+  EXPECT_NE(eglGetError(), EGL_SUCCESS);
+  glBindTexture(GL_TEXTURE_2D, source);
+  gl.EGLImageTargetTexture2DOES(GL_TEXTURE_2D, image);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+  const GLuint target = targetOf(image);
+  EXPECT_DRAWN(kRed, target);
+  replace(kGreen, 2);
+  glBindTexture(GL_TEXTURE_2D, source);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+  EXPECT_DRAWN(kGreen, source, GL_TEXTURE_2D, 64);
+  glBindTexture(GL_TEXTURE_2D, target);
+  TexStorage2DEXT(GL_TEXTURE_2D, 1, GL_RGBA8_OES, 4, 4);
+  replace(kBlue, 4);
+  EXPECT_DRAWN(kBlue, target);
+  EXPECT_DRAWN(kGreen, source, GL_TEXTURE_2D, 64);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  eglDestroyImage(display(), image);
+}
+
 TEST_F(EglImages, BetweenContexts) {
   const EGLContext here = eglGetCurrentContext();
   const EGLSurface surface = eglGetCurrentSurface(EGL_DRAW);
