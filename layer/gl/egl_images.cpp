@@ -60,6 +60,11 @@ GLenum renderbufferFormat(const Context& c, render::Format format) {
   }
 }
 
+Fault noImage() {
+  return wrongState("image is no EGLImage of this context's display",
+                    "Make one with eglCreateImage, and use it before eglDestroyImage");
+}
+
 }  // namespace
 
 void shareImages(ShareGroup& group) {
@@ -99,28 +104,40 @@ namespace render = anteroom::render;
 GL_API void GL_APIENTRY glEGLImageTargetTexture2DOES(GLenum target, GLeglImageOES image) {
   Context* c = current();
   if (!c) return;
-  if (target != GL_TEXTURE_2D && target != GL_TEXTURE_EXTERNAL_OES) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_TEXTURE_2D && target != GL_TEXTURE_EXTERNAL_OES)
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("target", target, "Use TEXTURE_2D or TEXTURE_EXTERNAL_OES"));
   const std::shared_ptr<SharedImage> shared = findImage(*c, image);
-  if (!shared) return c->setError(GL_INVALID_VALUE);
-  if (render::isDepthOrStencil(shared->image->desc().format)) return c->setError(GL_INVALID_OPERATION);
+  if (!shared) return c->setError(GL_INVALID_VALUE, noImage());
+  if (render::isDepthOrStencil(shared->image->desc().format))
+    return c->setError(GL_INVALID_OPERATION, wrongState("The image shows depth or stencil",
+                                                        "Define a renderbuffer by it, not a texture"));
   shareImages(*c->group);
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, bindingSlot(target));
-  if (texture.immutable()) return c->setError(GL_INVALID_OPERATION);  // EXT_texture_storage
+  if (texture.immutable())  // EXT_texture_storage
+    return c->setError(GL_INVALID_OPERATION, wrongState("The bound texture has immutable storage",
+                                                        "Bind a texture without TexStorage2DEXT"));
   texture.adopt(*c, shared);
 }
 
 GL_API void GL_APIENTRY glEGLImageTargetRenderbufferStorageOES(GLenum target, GLeglImageOES image) {
   Context* c = current();
   if (!c) return;
-  if (target != GL_RENDERBUFFER_OES) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_RENDERBUFFER_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"));
   const std::shared_ptr<SharedImage> shared = findImage(*c, image);
-  if (!shared) return c->setError(GL_INVALID_VALUE);
+  if (!shared) return c->setError(GL_INVALID_VALUE, noImage());
   const GLenum internalFormat = renderbufferFormat(*c, shared->image->desc().format);
   shareImages(*c->group);
   ShareLock lock(*c->group);
   Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
-  if (!renderbuffer || internalFormat == 0) return c->setError(GL_INVALID_OPERATION);
+  if (!renderbuffer)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("No renderbuffer is bound", "Bind one with glBindRenderbufferOES first"));
+  if (internalFormat == 0)
+    return c->setError(GL_INVALID_OPERATION, wrongState("Nothing can be rendered to the image's format",
+                                                        "Make it of an RGB or RGBA texture"));
   renderbuffer->internalFormat = internalFormat;
   renderbuffer->width = shared->width;
   renderbuffer->height = shared->height;

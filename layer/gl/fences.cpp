@@ -26,6 +26,11 @@ GLuint nameOf(GLsync sync) {
   return name <= ~GLuint{0} ? static_cast<GLuint>(name) : 0;
 }
 
+Fault noSync() {
+  return wrongState("sync is not the name of a sync object",
+                    "Make one with glFenceSyncAPPLE, and use it before glDeleteSyncAPPLE");
+}
+
 // Null: not a sync object.
 std::shared_ptr<SyncObject> findSync(Context& c, GLsync sync) {
   ShareLock lock(*c.group);
@@ -33,9 +38,12 @@ std::shared_ptr<SyncObject> findSync(Context& c, GLsync sync) {
 }
 
 // Null, and the error is set: not the name of an existing fence.
-FenceObject* findFence(Context& c, GLuint name) {
+FenceObject* findFence(Context& c, GLuint name, const char* command = __builtin_FUNCTION()) {
   const std::shared_ptr<FenceObject> fence = c.fences.find(name);
-  if (!fence) c.setError(GL_INVALID_OPERATION);
+  if (!fence) {
+    c.setError(GL_INVALID_OPERATION, wrongState("No fence of this name is set", "Call glSetFenceNV before"),
+               command);
+  }
   return fence.get();  // only this context deletes it
 }
 
@@ -46,11 +54,11 @@ GL_API GLsync GL_APIENTRY glFenceSyncAPPLE(GLenum condition, GLbitfield flags) {
   Context* c = current();
   if (!c) return nullptr;
   if (condition != GL_SYNC_GPU_COMMANDS_COMPLETE_APPLE) {
-    c->setError(GL_INVALID_ENUM);
+    c->setError(GL_INVALID_ENUM, wrongEnum("condition", condition, "Use SYNC_GPU_COMMANDS_COMPLETE_APPLE"));
     return nullptr;
   }
   if (flags != 0) {
-    c->setError(GL_INVALID_VALUE);
+    c->setError(GL_INVALID_VALUE, wrongNumber("flags", flags, "Give 0"));
     return nullptr;
   }
   ShareLock lock(*c->group);
@@ -79,7 +87,7 @@ GL_API void GL_APIENTRY glDeleteSyncAPPLE(GLsync sync) {
   Context* c = current();
   if (!c || !sync) return;
   ShareLock lock(*c->group);
-  if (!c->group->syncs.remove(nameOf(sync))) c->setError(GL_INVALID_VALUE);
+  if (!c->group->syncs.remove(nameOf(sync))) c->setError(GL_INVALID_VALUE, noSync());
 }
 
 // SYNC_FLUSH_COMMANDS_BIT_APPLE asks for nothing more: to insert a fence flushes.
@@ -88,7 +96,8 @@ GL_API GLenum GL_APIENTRY glClientWaitSyncAPPLE(GLsync sync, GLbitfield flags, G
   if (!c) return GL_WAIT_FAILED_APPLE;
   const std::shared_ptr<SyncObject> found = findSync(*c, sync);
   if (!found || (flags & ~GLbitfield{GL_SYNC_FLUSH_COMMANDS_BIT_APPLE}) != 0) {
-    c->setError(GL_INVALID_VALUE);
+    c->setError(GL_INVALID_VALUE,
+                found ? wrongNumber("flags", flags, "Give 0 or SYNC_FLUSH_COMMANDS_BIT_APPLE") : noSync());
     return GL_WAIT_FAILED_APPLE;
   }
   if (found->fence.wait(*c, 0)) return GL_ALREADY_SIGNALED_APPLE;
@@ -100,8 +109,10 @@ GL_API GLenum GL_APIENTRY glClientWaitSyncAPPLE(GLsync sync, GLbitfield flags, G
 GL_API void GL_APIENTRY glWaitSyncAPPLE(GLsync sync, GLbitfield flags, GLuint64 timeout) {
   Context* c = current();
   if (!c) return;
-  const bool valid = flags == 0 && timeout == GL_TIMEOUT_IGNORED_APPLE && findSync(*c, sync) != nullptr;
-  if (!valid) c->setError(GL_INVALID_VALUE);
+  if (!findSync(*c, sync)) return c->setError(GL_INVALID_VALUE, noSync());
+  if (flags != 0 || timeout != GL_TIMEOUT_IGNORED_APPLE)
+    c->setError(GL_INVALID_VALUE, wrongState("flags or timeout is not the only value that there is",
+                                             "Give 0 and TIMEOUT_IGNORED_APPLE"));
 }
 
 GL_API void GL_APIENTRY glGetSyncivAPPLE(GLsync sync, GLenum pname, GLsizei count, GLsizei* length,
@@ -109,7 +120,8 @@ GL_API void GL_APIENTRY glGetSyncivAPPLE(GLsync sync, GLenum pname, GLsizei coun
   Context* c = current();
   if (!c) return;
   const std::shared_ptr<SyncObject> found = findSync(*c, sync);
-  if (!found || count < 0) return c->setError(GL_INVALID_VALUE);
+  if (!found) return c->setError(GL_INVALID_VALUE, noSync());
+  if (count < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("bufSize", count, "Give a size from 0 on"));
   GLint value = 0;
   switch (pname) {
     case GL_OBJECT_TYPE_APPLE:
@@ -124,7 +136,7 @@ GL_API void GL_APIENTRY glGetSyncivAPPLE(GLsync sync, GLenum pname, GLsizei coun
     case GL_SYNC_FLAGS_APPLE:
       break;
     default:
-      return c->setError(GL_INVALID_ENUM);
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use SYNC_STATUS_APPLE"));
   }
   const bool written = values && count > 0;
   if (written) *values = value;
@@ -134,14 +146,14 @@ GL_API void GL_APIENTRY glGetSyncivAPPLE(GLsync sync, GLenum pname, GLsizei coun
 GL_API void GL_APIENTRY glGenFencesNV(GLsizei n, GLuint* fences) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (fences && !c->fences.reserve(n, fences)) c->setError(GL_OUT_OF_MEMORY);
 }
 
 GL_API void GL_APIENTRY glDeleteFencesNV(GLsizei n, const GLuint* fences) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   for (GLsizei i = 0; fences && i < n; ++i) c->fences.remove(fences[i]);
 }
 
@@ -153,7 +165,8 @@ GL_API GLboolean GL_APIENTRY glIsFenceNV(GLuint fence) {
 GL_API void GL_APIENTRY glSetFenceNV(GLuint fence, GLenum condition) {
   Context* c = current();
   if (!c) return;
-  if (condition != GL_ALL_COMPLETED_NV) return c->setError(GL_INVALID_ENUM);
+  if (condition != GL_ALL_COMPLETED_NV)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("condition", condition, "Use ALL_COMPLETED_NV"));
   const std::shared_ptr<FenceObject> object = obtain(c->fences, fence);
   if (!object) return c->setError(GL_OUT_OF_MEMORY);
   ShareLock lock(*c->group);
@@ -178,7 +191,8 @@ GL_API void GL_APIENTRY glGetFenceivNV(GLuint fence, GLenum pname, GLint* params
   if (!c) return;
   FenceObject* object = findFence(*c, fence);
   if (!object) return;
-  if (pname != GL_FENCE_STATUS_NV && pname != GL_FENCE_CONDITION_NV) return c->setError(GL_INVALID_ENUM);
+  if (pname != GL_FENCE_STATUS_NV && pname != GL_FENCE_CONDITION_NV)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use FENCE_STATUS_NV"));
   if (!params) return;
   *params = pname == GL_FENCE_CONDITION_NV ? GL_ALL_COMPLETED_NV : object->fence.wait(*c, 0);
 }
