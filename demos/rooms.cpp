@@ -15,6 +15,7 @@
 #include "lighting/lighting.h"
 #include "particles/particles.h"
 #include "postprocessing/postprocessing.h"
+#include "reflect/reflect.h"
 #include "room/context.h"
 #include "room/demo.h"
 #include "room/picture.h"
@@ -31,6 +32,8 @@ const std::vector<room::DemoEntry>& demos() {
        particles::makeParticles},
       {"postprocessing", "chapel whose bright windows bloom around what stands before them",
        postprocessing::makePostprocessing},
+      {"reflect", "shining ball in a playroom, a train around it, and a cube map made anew every frame",
+       reflect::makeReflect},
       {"water", "pool in an atrium: waves that refract and reflect, puddles that mirror the room",
        water::makeWater},
   };

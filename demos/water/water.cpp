@@ -1,6 +1,5 @@
 #include "water.h"
 
-#include <EGL/egl.h>
 #include <GLES/gl.h>
 #include <GLES/glext.h>
 
@@ -15,6 +14,7 @@
 #include "room/context.h"
 #include "room/framebuffer.h"
 #include "room/passes.h"
+#include "room/reflection.h"
 #include "room/transform.h"
 #include "sheet.h"
 #include "waves.h"
@@ -95,10 +95,10 @@ class Water final : public room::Demo {
   void drawShaft();
 
   std::optional<room::FramebufferFunctions> gl_;  // outlives what is made of it
+  std::optional<room::ReflectionMapping> reflection_;
   std::optional<room::CubeTarget> surroundings_;
   std::optional<room::RenderTarget> mirror_;
   std::optional<Atrium> atrium_;
-  PFNGLTEXGENIOESPROC texGeni_ = nullptr;
   Sheet sheet_;
   Heights heights_;
   Camera camera_;
@@ -108,9 +108,8 @@ class Water final : public room::Demo {
 
 void Water::setup() {
   gl_.emplace("water");
-  room::requireExtension("GL_OES_texture_cube_map", "water");
+  reflection_.emplace("water");
   room::requireTextureUnits(kUnits, "water");
-  texGeni_ = reinterpret_cast<PFNGLTEXGENIOESPROC>(eglGetProcAddress("glTexGeniOES"));
   surroundings_.emplace(*gl_, kCubeSize);
   mirror_.emplace(*gl_, kMirrorSize, room::RenderTarget::Depth::Bits16);
   atrium_.emplace();
@@ -265,21 +264,13 @@ void Water::drawWater(bool refraction, bool reflection) {
   if (reflection) {
     glEnableClientState(GL_NORMAL_ARRAY);
     sheet_.bindNormals();
-    // Turns back from eye coordinates: the modelview's inverse, which for a rotation is its transpose.
-    loadTextureMatrix(1, glm::dmat4(glm::transpose(glm::dmat3(camera_.view))));
-    glActiveTexture(GL_TEXTURE1);
-    glEnable(GL_TEXTURE_CUBE_MAP_OES);
-    surroundings_->bindTexture();
-    glEnable(GL_TEXTURE_GEN_STR_OES);
-    texGeni_(GL_TEXTURE_GEN_STR_OES, GL_TEXTURE_GEN_MODE_OES, GL_REFLECTION_MAP_OES);
+    reflection_->enable(1, *surroundings_, camera_.view);
     combine(refraction ? GL_INTERPOLATE : GL_REPLACE, GL_TEXTURE, GL_PREVIOUS);
     glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_RGB, GL_PRIMARY_COLOR);
     glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND2_RGB, GL_SRC_ALPHA);
   }
   sheet_.draw();
-  glActiveTexture(GL_TEXTURE1);
-  glDisable(GL_TEXTURE_CUBE_MAP_OES);
-  glDisable(GL_TEXTURE_GEN_STR_OES);
+  reflection_->disable(1);
 }
 
 void Water::drawLilies() {

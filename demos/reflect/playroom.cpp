@@ -1,0 +1,387 @@
+#include "playroom.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "room/furniture.h"
+#include "room/materials.h"
+#include "room/noise.h"
+#include "toys.h"
+#include "train.h"
+
+namespace reflect {
+namespace {
+
+using glm::dmat4;
+using glm::dvec2;
+using glm::dvec3;
+using room::fractalNoise;
+using room::placed;
+using room::smoothStep;
+
+constexpr double kPaperWidth = 0.8;  // metres that one repeat of the wallpaper covers
+constexpr double kRail = 0.86;       // height of the panelling
+constexpr dvec3 kLampCenter(2.02, 1.50, -2.02);
+constexpr dvec2 kWindowLow(-0.35, 1.18);
+constexpr dvec2 kWindowHigh(0.85, 2.18);
+
+double fractionOf(double x) {
+  return x - std::floor(x);
+}
+
+// Painted panelling below, paper with stars above.
+room::Texel wallpaperTexel(double u, double v) {
+  const dvec2 p(u * kPaperWidth, v * kRoomMax.y);
+  room::Texel t;
+  if (p.y < kRail) {
+    const double groove = std::abs(fractionOf(p.x / 0.1) - 0.5) * 0.1;
+    t.color = dvec3(0.86, 0.83, 0.76) * (0.70 + 0.30 * smoothStep(0.001, 0.008, groove));
+    if (p.y < 0.12) t.color = dvec3(0.82, 0.79, 0.72) * (0.7 + 0.3 * smoothStep(0.0, 0.012, 0.12 - p.y));
+    if (p.y > kRail - 0.07)
+      t.color = dvec3(0.90, 0.87, 0.80) * (0.75 + 0.25 * smoothStep(0.0, 0.02, p.y - kRail + 0.07));
+  } else {
+    t.color = dvec3(0.36, 0.52, 0.56);
+    const double stripe = std::abs(fractionOf(p.x / 0.4) - 0.5);
+    t.color *= 0.97 + 0.06 * smoothStep(0.20, 0.22, stripe);
+    const dvec2 cell(0.2, 0.2);
+    const int row = static_cast<int>(std::floor(p.y / cell.y));
+    const double shift = (row & 1) * 0.5;
+    const dvec2 d((fractionOf(p.x / cell.x + shift) - 0.5) * cell.x,
+                  (fractionOf(p.y / cell.y) - 0.5) * cell.y);
+    const double r = glm::length(d);
+    const double angle = std::atan2(d.x, d.y);
+    const double star = (row % 3 == 0 ? 0.020 : 0.013) * (0.66 + 0.34 * std::cos(5 * angle));
+    t.color = glm::mix(t.color, dvec3(0.95, 0.82, 0.50), 1 - smoothStep(star - 0.002, star + 0.001, r));
+  }
+  t.color *= 0.97 + 0.08 * fractalNoise(u, v, 6, 18, 4, 930);
+  return t;
+}
+
+room::Texel boardsTexel(double u, double v) {
+  constexpr int kBoards = 7;
+  const double across = v * kBoards;
+  const int board = static_cast<int>(across);
+  room::Texel t = room::wood(fractionOf(u + 0.37 * board), fractionOf(v + 0.21 * board));
+  const double tone = 0.88 + 0.24 * room::hash(board, 1, 931);
+  const double seam = std::min(fractionOf(across), 1 - fractionOf(across)) / kBoards;
+  const double end = std::abs(fractionOf(u + 0.43 * board) - 0.5);
+  const double body = smoothStep(0.0008, 0.004, seam) * smoothStep(0.0008, 0.003, end);
+  t.color = t.color * dvec3(1.18, 1.05, 0.90) * tone * (0.35 + 0.65 * body);
+  return t;
+}
+
+// u around, v from the middle outwards.
+room::Texel rugTexel(double u, double v) {
+  constexpr dvec3 kWine(0.50, 0.11, 0.13);
+  constexpr dvec3 kNavy(0.12, 0.17, 0.32);
+  constexpr dvec3 kSand(0.82, 0.70, 0.50);
+  dvec3 color = kWine;
+  if (v > 0.955) {
+    color = kSand;
+  } else if (v > 0.86) {
+    color = std::abs(fractionOf(u * 48) - 0.5) * 0.17 + 0.865 < v ? kNavy : kSand;
+  } else if (v > 0.83) {
+    color = kSand;
+  } else if (v > 0.50 && v < 0.54) {
+    color = kNavy;
+  } else if (v < 0.47) {
+    const double petals = 0.32 + 0.12 * std::cos(u * 12 * glm::two_pi<double>());
+    color = v < petals ? kNavy : kWine;
+    if (std::abs(v - petals) < 0.012) color = kSand;
+  } else {
+    const dvec2 d((fractionOf(u * 24) - 0.5) * 0.30, v - 0.685);
+    if (std::abs(d.x) + std::abs(d.y) < 0.085) color = kSand;
+    if (std::abs(d.x) + std::abs(d.y) < 0.055) color = kNavy;
+  }
+  room::Texel t;
+  t.color = color * (0.80 + 0.25 * fractalNoise(u, v, 128, 64, 2, 932)) *
+            (0.97 + 0.15 * fractalNoise(u, v, 8, 4, 4, 933));
+  return t;
+}
+
+// Dusk over roofs, with a moon.
+room::Texel duskTexel(double u, double v) {
+  room::Texel t;
+  t.color = glm::mix(dvec3(0.62, 0.50, 0.56), dvec3(0.10, 0.19, 0.44), smoothStep(0.05, 0.75, v));
+  t.color += dvec3(0.10, 0.08, 0.10) * fractalNoise(u, v, 3, 9, 4, 934);
+  const double moon = glm::distance(dvec2(u * 1.2, v), dvec2(0.92, 0.74));
+  t.color = glm::mix(t.color, dvec3(0.98, 0.94, 0.82), 1 - smoothStep(0.055, 0.06, moon));
+  t.color += dvec3(0.25, 0.24, 0.22) * std::exp(-moon * 9);
+  const double x = u * 5;
+  const double roof =
+      0.10 + 0.10 * room::hash(static_cast<int>(x), 3, 935) + 0.10 * (0.5 - std::abs(fractionOf(x) - 0.5));
+  if (v < roof) t.color = dvec3(0.05, 0.055, 0.09);
+  return t;
+}
+
+room::Texture material(int size, const room::TexelFunction& texel, GLenum wrap = GL_REPEAT) {
+  return room::makeTexture(room::bake(size, size, texel).color, room::Filter::Mipmapped, wrap);
+}
+
+}  // namespace
+
+Playroom::Playroom() {
+  makeTextures();
+  addLight();
+  addShell();
+  addWindow();
+  addFurniture();
+  addToys();
+  addTrain();
+}
+
+void Playroom::makeTextures() {
+  wallpaper_ = material(512, wallpaperTexel);
+  boards_ = material(512, boardsTexel);
+  wood_ = material(256, room::wood);
+  paint_ = material(128, [](double u, double v) {
+    room::Texel t;
+    t.color = dvec3(0.94) *
+              (0.98 + 0.10 * fractalNoise(u, v, 4, 24, 4, 940) + 0.06 * fractalNoise(u, v, 6, 6, 3, 941));
+    return t;
+  });
+  rug_ = material(512, rugTexel);
+  picture_ = material(256, room::poster, GL_CLAMP_TO_EDGE);
+  dusk_ = material(256, duskTexel, GL_CLAMP_TO_EDGE);
+}
+
+// The lamp, the window, what light the walls throw back, and what stands in its way.
+void Playroom::addLight() {
+  light_.setAmbient({0.30, 0.27, 0.26});
+  light_.add(room::Lamp{kLampCenter, 0.10, {2.2, 1.42, 0.70}});
+  light_.add(room::Lamp{{-1.0, 2.2, 1.6}, 0.5, {0.55, 0.45, 0.34}, false});
+  light_.add(room::Opening{{kWindowLow.x, kWindowLow.y, kRoomMin.z},
+                           {kWindowHigh.x - kWindowLow.x, 0, 0},
+                           {0, kWindowHigh.y - kWindowLow.y, 0},
+                           {0.7, 1.05, 2.0}});
+  // The ball as a pile of cylinders.
+  for (int i = 0; i < 5; ++i) {
+    const double low = kBallRadius * (-0.9 + 0.36 * i);
+    const double middle = low + 0.18 * kBallRadius;
+    const double radius = std::sqrt(kBallRadius * kBallRadius - middle * middle) * 0.96;
+    light_.add(room::UprightCylinder{kBallCenter + dvec3(0, low, 0), radius, 0.36 * kBallRadius});
+  }
+  light_.add(room::UprightCylinder{{0, 0.01, 0}, 0.18, 0.10});
+  const auto block = [this](const dvec3& low, const dvec3& high) {
+    light_.add(room::Block{(low + high) * 0.5, (high - low) * 0.5});
+  };
+  for (double y : {0.04, 0.48, 0.94}) block({-2.14, y - 0.01, -2.46}, {-0.86, y + 0.01, -2.17});
+  block({0.92, 0.02, -2.32}, {1.76, 0.45, -1.92});    // chest
+  block({-1.86, 0.01, -1.00}, {-1.68, 0.30, -0.90});  // tower
+  light_.add(room::UprightCylinder{{1.72, 0.01, -0.75}, 0.18, 0.20});
+  light_.add(room::UprightCylinder{{-1.80, 0.01, 0.75}, 0.09, 0.26});
+  light_.add(room::UprightCylinder{{1.95, 0.05, 0.30}, 0.12, 0.20});
+  light_.add(room::UprightCylinder{{1.34, 0.50, -2.10}, 0.11, 0.42});
+}
+
+template <typename Maker>
+Thing Playroom::make(const room::Texture& texture, const Maker& maker, bool vertexLit) const {
+  const auto colorsOf = [&](const Painted& painted) {
+    return vertexLit ? plainColors(painted) : litColors(painted, light_);
+  };
+  const Painted fine = maker(kFine);
+  const Painted coarse = maker(kProxy);
+  Thing thing;
+  thing.mesh = std::make_unique<room::Mesh>(fine.mesh, colorsOf(fine));
+  thing.proxy = std::make_unique<room::Mesh>(coarse.mesh, colorsOf(coarse));
+  thing.texture = &texture;
+  thing.bounds = room::boundsOf(fine.mesh);
+  thing.vertexLit = vertexLit;
+  thing.scale = vertexLit ? 1.0F : 2.0F;
+  return thing;
+}
+
+template <typename Maker>
+void Playroom::add(const room::Texture& texture, const Maker& maker) {
+  things_.push_back(make(texture, maker));
+}
+
+void Playroom::addShell() {
+  const dvec3 low = kRoomMin;
+  const dvec3 size = kRoomMax - kRoomMin;
+  // Cut finely enough for light in the vertices.
+  const auto side = [this](const room::Texture& texture, const dvec3& origin, const dvec3& a, const dvec3& b,
+                           const dvec2& repeat) {
+    add(texture, [=](const Detail& detail) {
+      const double cell = 0.13 / detail.share;
+      const int columns = std::max(2, static_cast<int>(glm::length(a) / cell));
+      const int rows = std::max(2, static_cast<int>(glm::length(b) / cell));
+      Painted p;
+      p.add(room::surface(
+                columns, rows, [&](double u, double v) { return origin + a * u + b * v; }, repeat),
+            dvec3(1));
+      return p;
+    });
+  };
+  const dvec3 x(size.x, 0, 0);
+  const dvec3 y(0, size.y, 0);
+  const dvec3 z(0, 0, size.z);
+  side(boards_, {low.x, 0, kRoomMax.z}, x, -z, {size.x / 1.4, size.z / 1.4});
+  side(paint_, {low.x, size.y, low.z}, x, z, {2, 2});
+  side(wallpaper_, low, x, y, {size.x / kPaperWidth, 1});
+  side(wallpaper_, {low.x, 0, kRoomMax.z}, -z, y, {size.z / kPaperWidth, 1});
+  side(wallpaper_, {kRoomMax.x, 0, low.z}, z, y, {size.z / kPaperWidth, 1});
+  side(wallpaper_, {kRoomMax.x, 0, kRoomMax.z}, -x, y, {size.x / kPaperWidth, 1});
+  add(rug_, [](const Detail& detail) {
+    constexpr double kRadius = 1.72;
+    Painted p;
+    p.add(room::surface(detail.cells(96, 40), detail.cells(26, 10),
+                        [](double u, double v) {
+                          const double angle = -u * glm::two_pi<double>();
+                          return dvec3(kRadius * v * std::sin(angle), 0.006, kRadius * v * std::cos(angle));
+                        }),
+          dvec3(1));
+    for (room::Vertex& v : p.mesh.vertices) v.normal = v.side = {0, 1, 0};
+    return p;
+  });
+}
+
+void Playroom::addWindow() {
+  const dvec2 size = kWindowHigh - kWindowLow;
+  const dvec2 middle = (kWindowHigh + kWindowLow) * 0.5;
+  const double z = kRoomMin.z;
+  const auto glass = [&](const Detail&) {
+    Painted p;
+    p.add(room::surface(1, 1,
+                        [&](double u, double v) { return dvec3(kWindowLow + size * dvec2(u, v), z + 0.01); }),
+          dvec3(1));
+    return p;
+  };
+  Thing pane = make(dusk_, glass, true);
+  pane.vertexLit = false;
+  pane.scale = 1;
+  things_.push_back(std::move(pane));
+  add(paint_, [&](const Detail&) {
+    constexpr dvec3 kWhite(0.95, 0.93, 0.88);
+    Painted p;
+    const auto bar = [&](const dvec3& center, const dvec3& extent) {
+      p.add(room::box(extent, 0.3, 1), kWhite, placed(center));
+    };
+    for (double side : {-1.0, 1.0}) {
+      bar({middle.x + side * (size.x / 2 + 0.03), middle.y, z + 0.03}, {0.08, size.y + 0.14, 0.06});
+      bar({middle.x, middle.y + side * (size.y / 2 + 0.03), z + 0.03}, {size.x + 0.1, 0.08, 0.06});
+    }
+    bar({middle.x, middle.y, z + 0.02}, {0.035, size.y, 0.03});
+    bar({middle.x, middle.y + 0.10, z + 0.02}, {size.x, 0.035, 0.03});
+    bar({middle.x, kWindowLow.y - 0.07, z + 0.07}, {size.x + 0.26, 0.03, 0.15});
+    return p;
+  });
+  // Curtains in folds.
+  add(paint_, [&](const Detail& detail) {
+    Painted p;
+    for (double side : {-1.0, 1.0}) {
+      p.add(room::surface(detail.cells(64, 24), detail.cells(20, 8),
+                          [&](double u, double v) {
+                            const double fold = 0.035 * std::sin(u * 9 * glm::two_pi<double>());
+                            const double gather = 1 - 0.30 * std::exp(-std::pow((v - 0.42) / 0.16, 2));
+                            const double outer = middle.x + side * (size.x / 2 + 0.36);
+                            const double width = 0.44 * gather;
+                            const double along = side > 0 ? 1 - u : u;
+                            return dvec3(outer - side * width * along,
+                                         glm::mix(kWindowLow.y - 0.22, kWindowHigh.y + 0.14, v),
+                                         z + 0.10 + fold * gather);
+                          }),
+            dvec3(0.72, 0.22, 0.20));
+    }
+    p.add(room::tube({{kWindowLow.x - 0.45, kWindowHigh.y + 0.15, z + 0.10},
+                      {kWindowHigh.x + 0.45, kWindowHigh.y + 0.15, z + 0.10}},
+                     0.014, 0.01, detail.cells(12, 5), 1),
+          dvec3(0.75, 0.55, 0.30));
+    return p;
+  });
+}
+
+void Playroom::addFurniture() {
+  const auto at = [this](const room::Texture& texture, Build build, const dmat4& where) {
+    add(texture, [=](const Detail& detail) {
+      const Painted piece = build(detail);
+      Painted p;
+      p.mesh.append(piece.mesh, where);
+      p.paint = piece.paint;
+      return p;
+    });
+  };
+  at(paint_, shelf, placed({-1.50, 0, -2.32}));
+  at(paint_, books, placed({-1.50, 0, -2.32}));
+  at(paint_, chest, placed({1.34, 0, -2.12}));
+  at(paint_, floorLamp, placed({kLampCenter.x, 0, kLampCenter.z}));
+  Thing shade = make(
+      paint_,
+      [](const Detail& detail) {
+        Painted p;
+        p.add(lampShade(detail).mesh, dvec3(1), placed({kLampCenter.x, 0, kLampCenter.z}));
+        p.paint = lampShade(detail).paint;
+        return p;
+      },
+      true);
+  shade.vertexLit = false;
+  shade.scale = 1;
+  things_.push_back(std::move(shade));
+
+  // A picture on the left wall.
+  add(picture_, [](const Detail&) {
+    Painted p;
+    p.add(room::surface(
+              4, 6,
+              [](double u, double v) { return dvec3(kRoomMin.x + 0.02, 1.15 + 0.95 * v, -1.15 - 0.66 * u); }),
+          dvec3(1));
+    return p;
+  });
+  add(wood_, [](const Detail&) {
+    Painted p;
+    for (double end : {-1.0, 1.0}) {
+      p.add(room::box({0.04, 0.05, 0.74}, 0.3, 1), dvec3(0.9),
+            placed({kRoomMin.x + 0.02, 1.625 + end * 0.50, -1.48}));
+      p.add(room::box({0.04, 0.95, 0.05}, 0.3, 1), dvec3(0.9),
+            placed({kRoomMin.x + 0.02, 1.625, -1.48 + end * 0.355}));
+    }
+    return p;
+  });
+  at(
+      wood_,
+      [](const Detail&) {
+        Painted p;
+        p.add(room::crate(0.5), dvec3(1), placed({0, 0.25, 0}));
+        return p;
+      },
+      placed({-1.85, 0, 2.3}, 0.3));
+}
+
+void Playroom::addToys() {
+  const auto at = [this](Build build, const dmat4& where) {
+    add(paint_, [=](const Detail& detail) {
+      const Painted piece = build(detail);
+      Painted p;
+      p.mesh.append(piece.mesh, where);
+      p.paint = piece.paint;
+      return p;
+    });
+  };
+  at(bear, placed({1.34, 0.49, -2.08}, -0.25));
+  at(ringTower, placed({-1.80, 0, 0.75}));
+  at(drum, placed({1.72, 0, -0.75}, 0.6));
+  at(spinningTop, placed({-0.62, 0.006, 1.52}));
+  at(blockTower, placed({-1.77, 0, -0.95}, 0.35));
+  at(scatteredBlocks, placed({1.55, 0, 1.25}, -0.4));
+  at(beachBall, placed({1.98, 0, 0.30}));
+  at(rocket, placed({-1.92, 0.955, -2.30}));
+  stand_ = make(wood_, ballStand);
+}
+
+void Playroom::addTrain() {
+  add(wood_, track);
+  firstVehicle_ = things_.size();
+  for (int i = 0; i < kVehicles; ++i) {
+    things_.push_back(make(
+        paint_, [i](const Detail& detail) { return vehicle(i, detail); }, true));
+  }
+}
+
+void Playroom::animate(double time) {
+  for (int i = 0; i < kVehicles; ++i)
+    things_[firstVehicle_ + static_cast<std::size_t>(i)].model = vehicleAt(i, time);
+}
+
+}  // namespace reflect
