@@ -1,11 +1,9 @@
-// The Rooms demos: `rooms NAME` renders one of them to picture files.
+// The Rooms demos: `rooms NAME` renders one of them to picture files, `rooms bench` measures them, `rooms
+// study water` measures the integrators of the Water demo's springs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -15,14 +13,21 @@
 #include "lighting/lighting.h"
 #include "particles/particles.h"
 #include "postprocessing/postprocessing.h"
+#include "program/bench.h"
+#include "program/options.h"
+#include "program/render.h"
 #include "reflect/reflect.h"
 #include "room/context.h"
-#include "room/demo.h"
 #include "room/picture.h"
-#include "room/progress.h"
+#include "water/study.h"
 #include "water/water.h"
 
 namespace {
+
+using program::BenchOptions;
+using program::Options;
+using program::UsageError;
+using program::WorkerTask;
 
 const std::vector<room::DemoEntry>& demos() {
   static const std::vector<room::DemoEntry> entries = {
@@ -40,144 +45,10 @@ const std::vector<room::DemoEntry>& demos() {
   return entries;
 }
 
-struct Options {
-  std::string demo;
-  bool list = false;
-  std::string size = "640x480";
-  double time = 0;
-  std::string frames = "1";
-  double fps = 30;
-  std::string stage;
-  std::string out = ".";
-  std::string format = "png";
-  int samples = 4;
-  int supersample = 1;
-  room::Settings settings;
-};
-
-// Something the user can put right: the message alone is shown, and the exit status is 2.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-struct Size {
-  int width;
-  int height;
-};
-
-struct FrameRange {
-  int first;
-  int last;
-  bool numbered;  // whether the pictures' names hold the frame's number
-};
-
-// Two numbers with one character between them; nothing else in the text.
-bool parsePair(const std::string& text, char between, int& a, int& b) {
-  const char* end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), end, a);
-  if (first.ec != std::errc() || first.ptr == end || *first.ptr != between) return false;
-  const auto second = std::from_chars(first.ptr + 1, end, b);
-  return second.ec == std::errc() && second.ptr == end;
-}
-
-Size parseSize(const std::string& text) {
-  Size size{};
-  if (!parsePair(text, 'x', size.width, size.height) || size.width < 1 || size.height < 1 ||
-      size.width > 16384 || size.height > 16384) {
-    throw UsageError(fmt::format("--size {}: expected WIDTHxHEIGHT in pixels, as in 640x480", text));
-  }
-  return size;
-}
-
-// "60" is the first sixty frames, "30-59" the second half of them.
-FrameRange parseFrames(const std::string& text) {
-  constexpr int kMost = 10'000'000;
-  FrameRange range{};
-  if (parsePair(text, '-', range.first, range.last)) {
-    if (range.first >= 0 && range.last >= range.first && range.last < kMost)
-      return {range.first, range.last, true};
-  } else {
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), range.last);
-    const bool whole = parsed.ec == std::errc() && parsed.ptr == text.data() + text.size();
-    if (whole && range.last > 0 && range.last <= kMost) return {0, range.last - 1, range.last > 1};
-  }
-  throw UsageError(fmt::format("--frames {}: expected a count, as in 60, or a range, as in 30-59", text));
-}
-
 std::vector<std::string_view> demoNames() {
   std::vector<std::string_view> names;
   for (const room::DemoEntry& entry : demos()) names.push_back(entry.name);
   return names;
-}
-
-std::vector<const room::DemoEntry*> chosenDemos(const std::string& name) {
-  std::vector<const room::DemoEntry*> chosen;
-  for (const room::DemoEntry& entry : demos()) {
-    if (name == "all" || name == entry.name) chosen.push_back(&entry);
-  }
-  if (chosen.empty()) {
-    throw UsageError(name.empty()
-                         ? fmt::format("which demo? There are: {}, or all", fmt::join(demoNames(), ", "))
-                         : fmt::format("there is no demo '{}'; there are: {}, or all", name,
-                                       fmt::join(demoNames(), ", ")));
-  }
-  return chosen;
-}
-
-std::vector<std::string_view> chosenStages(const room::Demo& demo, std::string_view name,
-                                           const std::string& stage) {
-  const auto known = demo.stages();
-  if (stage.empty()) return {known.back()};
-  if (stage == "all") return {known.begin(), known.end()};
-  if (const auto found = std::find(known.begin(), known.end(), stage); found != known.end()) return {*found};
-  throw UsageError(
-      fmt::format("{} has no stage '{}'; its stages are: {}, or all", name, stage, fmt::join(known, ", ")));
-}
-
-// Draws the frames of one stage to files.
-void renderStage(room::Demo& demo, const room::Context& context, const std::string& stem,
-                 std::string_view stage, const Options& options) {
-  const FrameRange range = parseFrames(options.frames);
-  const std::filesystem::path folder = options.out;
-  std::unique_ptr<room::GifWriter> gif;
-  if (options.format == "gif") gif = std::make_unique<room::GifWriter>(folder / (stem + ".gif"), options.fps);
-  room::Progress progress(stem, range.last - range.first + 1);
-  for (int frame = range.first; frame <= range.last; ++frame) {
-    const room::View view{context.width(), context.height(), options.time + frame / options.fps};
-    demo.frame(view, stage);
-    const room::Picture full = room::readPicture(view.width, view.height);
-    const room::Picture picture = room::reducePicture(full, options.supersample);
-    room::checkErrors(fmt::format("frame {} of {}", frame, stem));
-    if (gif) {
-      gif->add(picture);
-    } else {
-      const std::string name = range.numbered ? fmt::format("{}-{:04}", stem, frame) : stem;
-      room::writePicture(folder / (name + "." + options.format), picture);
-    }
-    progress.advance();
-  }
-  if (gif) gif->close();
-}
-
-void render(const room::DemoEntry& entry, const Options& options) {
-  const Size size = parseSize(options.size);
-  if (!std::isfinite(options.time + parseFrames(options.frames).last / options.fps)) {
-    throw UsageError("--time and --fps must give every frame a finite time");
-  }
-  const std::vector<std::string_view> stages = chosenStages(*entry.make(), entry.name, options.stage);
-  std::filesystem::create_directories(options.out);
-
-  const int fine = options.supersample;
-  const room::Context context(size.width * fine, size.height * fine, options.samples);
-  const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
-  demo->configure(options.settings);
-  demo->setup();
-  room::checkErrors(fmt::format("the setup of {}", entry.name));
-  for (std::string_view stage : stages) {
-    const bool finished = stage == demo->stages().back();
-    const std::string stem = finished ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
-    renderStage(*demo, context, stem, stage, options);
-  }
 }
 
 void list() {
@@ -187,13 +58,38 @@ void list() {
   }
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
-  // A later option overrides an earlier one, so that scripts can have defaults.
-  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+void describeSettings(CLI::App& app, room::Settings& settings) {
+  app.add_option("--particles", settings.particles, "particles: how many particles the fire has")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1'000'000));
+  app.add_flag("--quads", settings.quads, "particles: screen-aligned quads instead of point sprites");
+  app.add_option("--water", settings.water,
+                 "water: sums of waves, or springs: a sheet of masses that drops fall on")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"waves", "springs"}));
+  app.add_option("--integrator", settings.integrator, "water: what moves the springs")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"explicit", "semi-implicit", "implicit"}));
+  app.add_option("--stiffness", settings.stiffness, "water: of the springs, over a mass, 1/s^2")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
+}
+
+void describeSamples(CLI::App& app, int& samples) {
+  app.add_option("--samples", samples, "multisamples a pixel, if the implementation has them")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 16));
+}
+
+void describeRendering(CLI::App& app, Options& options) {
   app.add_option("demo", options.demo, fmt::format("{}, or all", fmt::join(demoNames(), ", ")));
-  app.add_flag("--list", options.list, "say which demos and stages there are");
+  app.add_flag_callback(
+      "--list",
+      [] {
+        list();
+        throw CLI::Success();
+      },
+      "say which demos and stages there are");
   app.add_option("--size", options.size, "picture size in pixels")->capture_default_str();
   app.add_option("--time", options.time, "seconds at frame 0")->capture_default_str();
   app.add_option("--frames", options.frames, "how many frames, or which: 60 or 30-59")->capture_default_str();
@@ -203,35 +99,105 @@ int run(int argc, char** argv) {
   app.add_option("--format", options.format, "png, exr (linear light) or gif (one animation)")
       ->capture_default_str()
       ->check(CLI::IsMember({"png", "exr", "gif"}));
-  app.add_option("--samples", options.samples, "multisamples a pixel, if the implementation has them")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 16));
+  app.add_flag("--contact-sheet", options.contactSheet, "all frames side by side in one picture");
+  app.add_flag("--stats", options.stats,
+               "print what a frame takes: draws, uploads and so on that the program counts, and time");
+  describeSamples(app, options.samples);
   app.add_option("--supersample", options.supersample, "render this many times larger and average")
       ->capture_default_str()
       ->check(CLI::Range(1, 4));
-  app.add_option("--particles", options.settings.particles, "particles: how many particles the fire has")
+  describeSettings(app, options.settings);
+}
+
+void describeBench(CLI::App& app, BenchOptions& options, std::string& worker) {
+  options.mesaLibraries = ROOMS_SYSTEM_LIBRARIES;
+  app.add_option("demo", options.demo, "a demo's name, or all")->capture_default_str();
+  app.add_option("--size", options.size, "of the frames that are timed, in pixels")->capture_default_str();
+  app.add_option("--error-size", options.errorSize, "of the pictures that are compared, in pixels")
+      ->capture_default_str();
+  app.add_option("--frames", options.frames, "how many frames a round")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1'000'000));
-  app.add_flag("--quads", options.settings.quads, "particles: screen-aligned quads instead of point sprites");
-  app.failure_message(CLI::FailureMessage::help);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error);
-  }
-  if (options.list) {
-    list();
-    return 0;
-  }
-  for (const room::DemoEntry* entry : chosenDemos(options.demo)) {
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--rounds", options.rounds, "rounds of fresh processes, taken in turns")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--time", options.time, "seconds at frame 0, and of the compared picture")
+      ->capture_default_str();
+  describeSamples(app, options.samples);
+  app.add_flag("--found", options.found,
+               "only the implementation that is found, instead of ours, Mesa's own and Mesa's zink");
+  app.add_option("--mesa-libraries", options.mesaLibraries, "directory of the system's libEGL.so.1")
+      ->capture_default_str();
+  app.add_flag("--no-error", options.withoutError, "leave the reference renderer out");
+  app.add_flag("--csv", options.csv, "comma-separated values instead of a table");
+  app.add_flag("--json", options.json, "JSON instead of a table")->excludes("--csv");
+  app.add_option("--worker", worker)->group("");
+  describeSettings(app, options.settings);
+}
+
+int renderChosen(const Options& options) {
+  for (const room::DemoEntry* entry : program::chosenDemos(demos(), options.demo)) {
     try {
-      render(*entry, options);
+      program::render(*entry, options);
     } catch (const room::MissingExtension& missing) {
       if (options.demo != "all") throw;
       fmt::print(stderr, "rooms: {}: left out\n", missing.what());
     }
   }
   return 0;
+}
+
+int benchChosen(const BenchOptions& options, const std::string& worker) {
+  if (!worker.empty()) {
+    return program::work(demos(), {options.demo, options.size, options.frames, options.samples, options.time,
+                                   worker == "time" ? "" : worker, options.settings});
+  }
+  const std::vector<program::BenchRow> rows = program::bench(demos(), options);
+  const std::string text = options.json  ? program::benchJson(rows)
+                           : options.csv ? program::benchCsv(rows)
+                                         : program::benchTable(rows);
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+int study(const std::string& what, const std::string& out) {
+  if (what != "water") throw UsageError(fmt::format("there is no study of '{}'; there is: water", what));
+  const std::vector<water::StudyEntry> entries = water::studyIntegrators();
+  std::fputs(water::studyTable(entries).c_str(), stdout);
+  std::filesystem::create_directories(out);
+  const std::filesystem::path file = std::filesystem::path(out) / "study-water.png";
+  room::writePicture(file, room::drawPlot(water::plotOf(entries), 1200, 900));
+  fmt::print("plotted in {}\n", file.string());
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  BenchOptions benchOptions;
+  std::string worker;
+  std::string studied;
+  std::string studyOut = ".";
+  CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
+  // A later option overrides an earlier one, so that scripts can have defaults.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.failure_message(CLI::FailureMessage::help);
+  describeRendering(app, options);
+  CLI::App& benchApp =
+      *app.add_subcommand("bench", "error beside run time, of ours and of Mesa's two in turns");
+  describeBench(benchApp, benchOptions, worker);
+  CLI::App& studyApp = *app.add_subcommand(
+      "study", "water: error against run time of the springs' integrators, as a table and a plot");
+  studyApp.add_option("what", studied, "water")->required();
+  studyApp.add_option("--out", studyOut, "folder for the plot")->capture_default_str();
+  app.require_subcommand(0, 1);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error);
+  }
+  if (benchApp.parsed()) return benchChosen(benchOptions, worker);
+  if (studyApp.parsed()) return study(studied, studyOut);
+  return renderChosen(options);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace room {
@@ -18,6 +19,10 @@ struct View {
 struct Settings {
   int particles = 5000;  // particles: how many
   bool quads = false;    // particles: drawn as quads made by the program, instead of points
+  // water: "waves", sines and cosines, or "springs", a sheet of masses that drops fall on
+  std::string water = "waves";
+  std::string integrator = "semi-implicit";  // water, springs: "explicit", "semi-implicit" or "implicit"
+  double stiffness = 180;                    // water, springs: over a mass, 1/s^2
 };
 
 class Demo {

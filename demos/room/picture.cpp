@@ -60,6 +60,34 @@ Picture reducePicture(const Picture& picture, int factor) {
   return small;
 }
 
+ContactSheet::ContactSheet(int count)
+    : columns_(std::max(1, static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count)))))),
+      rows_((count + columns_ - 1) / columns_) {}
+
+void ContactSheet::add(const Picture& picture) {
+  constexpr int kGap = 4;  // pixels
+  constexpr std::uint8_t kGround = 24;
+  if (added_ == 0) {
+    width_ = picture.width;
+    height_ = picture.height;
+    sheet_.width = columns_ * (width_ + kGap) + kGap;
+    sheet_.height = rows_ * (height_ + kGap) + kGap;
+    sheet_.rgb.assign(static_cast<std::size_t>(sheet_.width) * static_cast<std::size_t>(sheet_.height) * 3,
+                      kGround);
+  }
+  if (picture.width != width_ || picture.height != height_ || added_ >= columns_ * rows_) {
+    throw std::invalid_argument("a contact sheet holds so many pictures of one size");
+  }
+  const auto left = static_cast<std::size_t>(kGap + added_ % columns_ * (width_ + kGap));
+  const auto top = static_cast<std::size_t>(kGap + added_ / columns_ * (height_ + kGap));
+  const auto row = static_cast<std::size_t>(width_) * 3;
+  for (std::size_t y = 0; y < static_cast<std::size_t>(height_); ++y) {
+    std::copy_n(picture.rgb.data() + y * row, row,
+                sheet_.rgb.data() + ((top + y) * static_cast<std::size_t>(sheet_.width) + left) * 3);
+  }
+  ++added_;
+}
+
 void writePicture(const std::filesystem::path& file, const Picture& picture) {
   auto output = create(file);
   const bool linear = file.extension() == ".exr";

@@ -29,9 +29,10 @@ void Pond::start(long long second) {
 }
 
 // Pushes a hollow down, and a rim about it up, as much.
-void Pond::drop(long long second) {
-  const int number = static_cast<int>(second);
-  const glm::dvec2 place = (glm::dvec2(room::hash(number, 0, 960), room::hash(number, 1, 960)) * 1.6 - 0.8) * kPoolHalf;
+void Pond::drop(long long which) {
+  const int number = static_cast<int>(which);
+  const glm::dvec2 place =
+      (glm::dvec2(room::hash(number, 0, 960), room::hash(number, 1, 960)) * 1.6 - 0.8) * kPoolHalf;
   const double speed = 0.9 + 0.9 * room::hash(number, 2, 960);
   constexpr double kRadius = 0.15;  // metres
   for (int row = 0; row < kLattice; ++row) {
@@ -45,10 +46,11 @@ void Pond::drop(long long second) {
 void Pond::heightsAt(double time, Heights& out) {
   const double wrapped = time - std::floor(time / kPeriod) * kPeriod;
   const auto second = static_cast<long long>(wrapped);
-  const auto wanted = static_cast<long long>((wrapped - static_cast<double>(second)) * kStepsASecond) + kMemory * kStepsASecond;
+  const auto wanted = static_cast<long long>((wrapped - static_cast<double>(second)) * kStepsASecond) +
+                      kMemory * kStepsASecond;
   if (steps_ < 0 || first_ != second - kMemory || steps_ > wanted) start(second - kMemory);
   for (; steps_ < wanted; ++steps_) {
-    if (steps_ % kStepsASecond == 0) drop(first_ + steps_ / kStepsASecond);
+    if (steps_ % (kStepsASecond / 2) == 0) drop(2 * first_ + steps_ / (kStepsASecond / 2));
     springs_.step(integrator_, 1.0 / kStepsASecond, state_);
   }
   out.resize(state_.heights.size());

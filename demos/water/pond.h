@@ -15,13 +15,13 @@ class Pond {
 
  private:
   void start(long long second);
-  void drop(long long second);
+  void drop(long long which);
 
   Integrator integrator_;
   Springs springs_;
   SpringState state_;
-  long long first_ = 0;  // second that the state was flat at
-  long long steps_ = -1;   // since then; none yet
+  long long first_ = 0;   // second that the state was flat at
+  long long steps_ = -1;  // since then; none yet
 };
 
 }  // namespace water

@@ -150,11 +150,13 @@ double Springs::stableStep(Integrator integrator) const {
   return std::numeric_limits<double>::infinity();
 }
 
-ExactSprings::ExactSprings(const SpringConstants& constants, const SpringState& start) : constants_(constants) {
+ExactSprings::ExactSprings(const SpringConstants& constants, const SpringState& start)
+    : constants_(constants) {
   const int side = constants.side;
   for (int mode = 0; mode < side; ++mode) {
     const double length = std::sqrt((mode == 0 ? 1.0 : 2.0) / side);
-    for (int i = 0; i < side; ++i) basis_.push_back(length * std::cos(glm::pi<double>() * mode * (i + 0.5) / side));
+    for (int i = 0; i < side; ++i)
+      basis_.push_back(length * std::cos(glm::pi<double>() * mode * (i + 0.5) / side));
   }
   heights_ = transformed(start.heights, true);
   velocities_ = transformed(start.velocities, true);
@@ -169,7 +171,8 @@ std::vector<double> ExactSprings::transformed(const std::vector<double>& values,
   std::vector<double> whole(values.size());
   for (std::size_t row = 0; row < side; ++row) {
     for (std::size_t to = 0; to < side; ++to) {
-      for (std::size_t from = 0; from < side; ++from) half[row * side + to] += weight(to, from) * values[row * side + from];
+      for (std::size_t from = 0; from < side; ++from)
+        half[row * side + to] += weight(to, from) * values[row * side + from];
     }
   }
   for (std::size_t to = 0; to < side; ++to) {
@@ -184,8 +187,10 @@ std::vector<double> ExactSprings::heightsAt(double seconds) const {
   std::vector<double> modes(heights_.size());
   for (int row = 0; row < constants_.side; ++row) {
     for (int column = 0; column < constants_.side; ++column) {
-      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(constants_.side) + static_cast<std::size_t>(column);
-      const double w = constants_.stiffness * (eigenvalue(row, constants_.side) + eigenvalue(column, constants_.side));
+      const auto i = static_cast<std::size_t>(row) * static_cast<std::size_t>(constants_.side) +
+                     static_cast<std::size_t>(column);
+      const double w =
+          constants_.stiffness * (eigenvalue(row, constants_.side) + eigenvalue(column, constants_.side));
       modes[i] = oscillator(w, constants_.damping, heights_[i], velocities_[i], seconds);
     }
   }

@@ -1,5 +1,5 @@
-// A sheet of masses that springs tie to their neighbours: heights h with h'' = -k L h - c h', where L sums the
-// differences to the neighbours. Its edges are free.
+// A sheet of masses that springs tie to their neighbours: heights h with h'' = -k L h - c h', where L sums
+// the differences to the neighbours. Its edges are free.
 #pragma once
 
 #include <string_view>
@@ -27,8 +27,8 @@ class Springs {
   explicit Springs(const SpringConstants& constants);
   const SpringConstants& constants() const { return constants_; }
   // Moves the state by one step of so many seconds. Explicit Euler takes both rates at the step's start;
-  // semi-implicit Euler moves heights by the velocities at its end; implicit Euler takes both rates at the end, and
-  // finds them by conjugate gradients.
+  // semi-implicit Euler moves heights by the velocities at its end; implicit Euler takes both rates at the
+  // end, and finds them by conjugate gradients.
   void step(Integrator integrator, double seconds, SpringState& state);
   // Steps up to this length do not make the sheet's fastest mode grow; infinite for implicit Euler.
   double stableStep(Integrator integrator) const;

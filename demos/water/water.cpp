@@ -9,8 +9,10 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <optional>
+#include <stdexcept>
 
 #include "atrium.h"
+#include "pond.h"
 #include "room/context.h"
 #include "room/framebuffer.h"
 #include "room/passes.h"
@@ -76,8 +78,17 @@ void clear() {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+Integrator integratorNamed(std::string_view name) {
+  for (Integrator integrator :
+       {Integrator::ExplicitEuler, Integrator::SemiImplicitEuler, Integrator::ImplicitEuler}) {
+    if (name == nameOf(integrator)) return integrator;
+  }
+  throw std::invalid_argument("there is no such integrator");
+}
+
 class Water final : public room::Demo {
  public:
+  void configure(const room::Settings& settings) override;
   std::span<const std::string_view> stages() const override { return kStages; }
   void setup() override;
   void frame(const room::View& view, std::string_view stage) override;
@@ -99,12 +110,17 @@ class Water final : public room::Demo {
   std::optional<room::CubeTarget> surroundings_;
   std::optional<room::RenderTarget> mirror_;
   std::optional<Atrium> atrium_;
+  std::optional<Pond> pond_;  // none: waves
   Sheet sheet_;
   Heights heights_;
   Camera camera_;
   glm::dvec3 eye_{0};
   std::vector<glm::vec4> wet_;  // colors of the floor's vertices
 };
+
+void Water::configure(const room::Settings& settings) {
+  if (settings.water == "springs") pond_.emplace(integratorNamed(settings.integrator), settings.stiffness);
+}
 
 void Water::setup() {
   gl_.emplace("water");
@@ -137,7 +153,11 @@ void Water::frame(const room::View& view, std::string_view stage) {
   drawFloor(puddles);
   drawPool();
   if (refraction || reflection) {
-    waveHeights(view.time, heights_);
+    if (pond_) {
+      pond_->heightsAt(view.time, heights_);
+    } else {
+      waveHeights(view.time, heights_);
+    }
     sheet_.update(heights_, eye_);
     drawWater(refraction, reflection);
     if (finished) drawLilies();

@@ -1,0 +1,143 @@
+#include "render.h"
+
+#include <GLES/gl.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "counters.h"
+#include "room/context.h"
+#include "room/picture.h"
+#include "room/progress.h"
+
+namespace program {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Where the frames of one stage go.
+class Output {
+ public:
+  Output(const Options& options, std::string stem)
+      : folder_(options.out),
+        format_(options.format),
+        stem_(std::move(stem)),
+        range_(parseFrames(options.frames)) {
+    if (options.contactSheet) {
+      sheet_ = std::make_unique<room::ContactSheet>(range_.count());
+    } else if (format_ == "gif") {
+      gif_ = std::make_unique<room::GifWriter>(folder_ / (stem_ + ".gif"), options.fps);
+    }
+  }
+
+  void add(int frame, const room::Picture& picture) {
+    if (sheet_) {
+      sheet_->add(picture);
+    } else if (gif_) {
+      gif_->add(picture);
+    } else {
+      const std::string name = range_.numbered ? fmt::format("{}-{:04}", stem_, frame) : stem_;
+      room::writePicture(folder_ / (name + "." + format_), picture);
+    }
+  }
+
+  void finish() {
+    if (sheet_) room::writePicture(folder_ / (stem_ + "-sheet." + format_), sheet_->picture());
+    if (gif_) gif_->close();
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string format_;
+  std::string stem_;
+  FrameRange range_;
+  std::unique_ptr<room::GifWriter> gif_;
+  std::unique_ptr<room::ContactSheet> sheet_;
+};
+
+void printStats(const std::string& what, const Counters& c, double frames, double milliseconds) {
+  fmt::print("{:<24} {:8.1f} {:10.0f} {:7.1f} {:9.1f} {:9.1f} {:8.1f} {:11.1f} {:9.2f}\n", what,
+             static_cast<double>(c.draws) / frames, static_cast<double>(c.vertices) / frames,
+             static_cast<double>(c.clears) / frames, static_cast<double>(c.textureBinds) / frames,
+             static_cast<double>(c.matrixLoads) / frames, static_cast<double>(c.uploads) / frames,
+             static_cast<double>(c.uploadedBytes) / frames / 1024, milliseconds / frames);
+}
+
+void printStatsHeading() {
+  fmt::print("{:<24} {:>8} {:>10} {:>7} {:>9} {:>9} {:>8} {:>11} {:>9}\n", "a frame", "draws", "vertices",
+             "clears", "tex.binds", "matrices", "uploads", "KiB of them", "ms");
+}
+
+// Draws the frames of one stage to files.
+void renderStage(room::Demo& demo, const room::Context& context, const std::string& stem,
+                 std::string_view stage, const Options& options) {
+  const FrameRange range = parseFrames(options.frames);
+  Output output(options, stem);
+  room::Progress progress(stem, range.count());
+  const Counters before = counted();
+  Clock::duration drawing{};
+  for (int frame = range.first; frame <= range.last; ++frame) {
+    const room::View view{context.width(), context.height(), options.time + frame / options.fps};
+    const auto begin = Clock::now();
+    demo.frame(view, stage);
+    if (options.stats) glFinish();
+    drawing += Clock::now() - begin;
+    const room::Picture full = room::readPicture(view.width, view.height);
+    room::checkErrors(fmt::format("frame {} of {}", frame, stem));
+    output.add(frame, room::reducePicture(full, options.supersample));
+    progress.advance();
+  }
+  output.finish();
+  if (options.stats) {
+    printStats(stem, counted() - before, range.count(),
+               std::chrono::duration<double, std::milli>(drawing).count());
+  }
+}
+
+void check(const Options& options) {
+  if (!std::isfinite(options.time + parseFrames(options.frames).last / options.fps)) {
+    throw UsageError("--time and --fps must give every frame a finite time");
+  }
+  if (!options.contactSheet) return;
+  if (options.format == "gif") throw UsageError("--contact-sheet is one picture: --format png or exr");
+  const Size size = parseSize(options.size);
+  constexpr double kMostPixels = 1e8;
+  if (static_cast<double>(size.width) * size.height * parseFrames(options.frames).count() > kMostPixels) {
+    throw UsageError(
+        "--contact-sheet: so many frames of that size are more than one picture should hold; "
+        "choose a smaller --size or fewer --frames");
+  }
+}
+
+}  // namespace
+
+void render(const room::DemoEntry& entry, const Options& options) {
+  const Size size = parseSize(options.size);
+  check(options);
+  const std::vector<std::string_view> stages = chosenStages(*entry.make(), entry.name, options.stage);
+  std::filesystem::create_directories(options.out);
+
+  const int fine = options.supersample;
+  const room::Context context(size.width * fine, size.height * fine, options.samples);
+  const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
+  demo->configure(options.settings);
+  const Counters before = counted();
+  const auto begin = Clock::now();
+  demo->setup();
+  room::checkErrors(fmt::format("the setup of {}", entry.name));
+  if (options.stats) {
+    printStatsHeading();
+    printStats(fmt::format("{}, setup", entry.name), counted() - before, 1,
+               std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+  }
+  for (std::string_view stage : stages) {
+    const bool finished = stage == demo->stages().back();
+    const std::string stem = finished ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
+    renderStage(*demo, context, stem, stage, options);
+  }
+}
+
+}  // namespace program
