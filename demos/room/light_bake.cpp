@@ -32,7 +32,7 @@ bool slab(double from, double way, double low, double high, dvec2& t) {
 }
 
 // Where way meets the cylinder, 1 if it does not.
-double entry(const UprightCylinder& c, const dvec3& from, const dvec3& way) {
+double cylinderEntry(const UprightCylinder& c, const dvec3& from, const dvec3& way) {
   dvec2 t(0, 1);
   if (!slab(from.y, way.y, c.foot.y, c.foot.y + c.height, t)) return 1;
   const dvec2 start(from.x - c.foot.x, from.z - c.foot.z);
@@ -60,36 +60,57 @@ glm::dmat3 framePointing(const dvec3& axis) {
 
 }  // namespace
 
+double LightBake::entry(const PlacedBlock& block, const dvec3& from, const dvec3& way) {
+  // Turned back into the block's axes.
+  const auto local = [&block](const dvec3& v) {
+    return dvec3(block.cosine * v.x - block.sine * v.z, v.y, block.sine * v.x + block.cosine * v.z);
+  };
+  const dvec3 start = local(from - block.center);
+  const dvec3 step = local(way);
+  dvec2 t(0, 1);
+  const bool met = slab(start.x, step.x, -block.half.x, block.half.x, t) &&
+                   slab(start.y, step.y, -block.half.y, block.half.y, t) &&
+                   slab(start.z, step.z, -block.half.z, block.half.z, t);
+  return met ? t.x : 1;
+}
+
 void LightBake::add(const Block& block) {
   blocks_.push_back({block.center, block.half, std::cos(block.turn), std::sin(block.turn)});
 }
 
-double LightBake::free(const dvec3& from, const dvec3& way) const {
-  double nearest = 1;
-  for (const UprightCylinder& cylinder : cylinders_) nearest = std::min(nearest, entry(cylinder, from, way));
-  for (const PlacedBlock& block : blocks_) {
-    // Turned back into the block's axes.
-    const auto local = [&block](const dvec3& v) {
-      return dvec3(block.cosine * v.x - block.sine * v.z, v.y, block.sine * v.x + block.cosine * v.z);
-    };
-    const dvec3 start = local(from - block.center);
-    const dvec3 step = local(way);
-    dvec2 t(0, nearest);
-    if (slab(start.x, step.x, -block.half.x, block.half.x, t) &&
-        slab(start.y, step.y, -block.half.y, block.half.y, t) &&
-        slab(start.z, step.z, -block.half.z, block.half.z, t)) {
-      nearest = t.x;
-    }
-  }
-  return nearest;
+bool LightBake::blocked(const dvec3& from, const dvec3& way) const {
+  return std::any_of(
+             cylinders_.begin(), cylinders_.end(),
+             [&](const UprightCylinder& cylinder) { return cylinderEntry(cylinder, from, way) < 1; }) ||
+         std::any_of(blocks_.begin(), blocks_.end(),
+                     [&](const PlacedBlock& block) { return entry(block, from, way) < 1; });
 }
 
+// By the distances to what stands within reach.
 double LightBake::openness(const dvec3& point, const dvec3& normal) const {
+  const auto isNear = [&](const dvec3& center, double radius) {
+    const double reach = kOpenRange + radius;
+    const dvec3 way = center - point;
+    return glm::dot(way, way) < reach * reach;
+  };
+  std::vector<const UprightCylinder*> cylinders;
+  for (const UprightCylinder& c : cylinders_) {
+    if (isNear(c.foot + dvec3(0, c.height / 2, 0), std::hypot(c.radius, c.height / 2)))
+      cylinders.push_back(&c);
+  }
+  std::vector<const PlacedBlock*> blocks;
+  for (const PlacedBlock& b : blocks_) {
+    if (isNear(b.center, glm::length(b.half))) blocks.push_back(&b);
+  }
   const glm::dmat3 frame = framePointing(normal);
   double open = 0;
   for (int i = 0; i < kOpenRays; ++i) {
     const dvec2 d = spiral(i, kOpenRays);
-    open += free(point, frame * dvec3(d, std::sqrt(1 - glm::dot(d, d))) * kOpenRange);
+    const dvec3 way = frame * dvec3(d, std::sqrt(1 - glm::dot(d, d))) * kOpenRange;
+    double nearest = 1;
+    for (const UprightCylinder* c : cylinders) nearest = std::min(nearest, cylinderEntry(*c, point, way));
+    for (const PlacedBlock* b : blocks) nearest = std::min(nearest, entry(*b, point, way));
+    open += nearest;
   }
   return open / kOpenRays;
 }
@@ -109,7 +130,7 @@ dvec3 LightBake::lampLight(const dvec3& start, const dvec3& normal) const {
       seen = 0;
       for (int i = 0; i < kLampRays; ++i) {
         const dvec3 to = way + frame * dvec3(spiral(i, kLampRays) * lamp.radius, 0);
-        if (free(start, to) >= 1) seen += 1.0 / kLampRays;
+        if (!blocked(start, to)) seen += 1.0 / kLampRays;
       }
     }
     sum += lamp.color * (seen * facing / (square + lamp.radius * lamp.radius));
@@ -128,7 +149,7 @@ dvec3 LightBake::skyLight(const dvec3& start, const dvec3& normal) const {
       const double square = glm::dot(way, way);
       const double here = glm::dot(normal, way);
       const double there = -glm::dot(glm::normalize(inward), way);
-      if (here <= 0 || there <= 0 || free(start, way) < 1) continue;
+      if (here <= 0 || there <= 0 || blocked(start, way)) continue;
       sum += opening.sky * (here * there * area / (3.14159 * square * square + 0.05));
     }
   }
@@ -144,7 +165,7 @@ dvec3 LightBake::sunLight(const dvec3& start, const dvec3& normal) const {
   int seen = 0;
   for (int i = 0; i < kSunRays; ++i) {
     const dvec3 ray = frame * dvec3(spiral(i, kSunRays) * sun_.radius, 1);
-    if (free(start, ray * kFar) >= 1) ++seen;
+    if (!blocked(start, ray * kFar)) ++seen;
   }
   return sun_.color * (facing * seen / kSunRays);
 }

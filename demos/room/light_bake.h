@@ -69,8 +69,9 @@ class LightBake {
     double cosine;
     double sine;
   };
-  // The share of the way that is free.
-  double free(const glm::dvec3& from, const glm::dvec3& way) const;
+  // The share of the way before it meets the block, 1 if it does not.
+  static double entry(const PlacedBlock& block, const glm::dvec3& from, const glm::dvec3& way);
+  bool blocked(const glm::dvec3& from, const glm::dvec3& way) const;
   double openness(const glm::dvec3& point, const glm::dvec3& normal) const;
   glm::dvec3 lampLight(const glm::dvec3& start, const glm::dvec3& normal) const;
   glm::dvec3 skyLight(const glm::dvec3& start, const glm::dvec3& normal) const;

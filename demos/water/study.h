@@ -14,7 +14,7 @@ struct StudyEntry {
   double stiffness;  // 1/s^2
   double step;       // seconds
   double error;    // RMS of the heights' error over that of the exact heights; infinite where they flew apart
-  double runTime;  // milliseconds for kStudySeconds
+  double runTime;  // of a processor, milliseconds for kStudySeconds
   double stableStep;  // seconds
   bool stable;        // as it was seen: never higher than ten times the start
 };
