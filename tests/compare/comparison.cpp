@@ -64,28 +64,33 @@ bool wanted(const Plan& plan, const std::string& name) {
                      [&name](const std::string& part) { return name.find(part) != std::string::npos; });
 }
 
-const char* driverScene(Driver driver) {
+// The measurement of anteroom-driver that bounds a scene.
+const char* measurementOf(Driver driver) {
   switch (driver) {
     case Driver::kFilter:
-      return "driver/filter weights";
-    case Driver::kLevelOfDetail:
-      return "driver/level of detail";
+      return "filter-weights";
     case Driver::kBlend:
-      return "driver/blending";
+      return "blending";
     case Driver::kLine:
-      return "driver/line colors";
+      return "line-parameter";
     case Driver::kSmoothLine:
-      return "driver/smooth lines";
+      return "smooth-line-coverage";
     default:
       return "";
   }
 }
 
-bool measuresDriver(const Scene& scene) {
-  return scene.name.starts_with("driver/");
+DriverErrors measureDriver() {
+  const process::Outcome outcome =
+      process::run(process::executableDirectory() + "/anteroom-driver", {}, {}, kWorkerSeconds);
+  if (outcome.status != 0) throw std::runtime_error("anteroom-driver failed");
+  DriverErrors errors;
+  std::istringstream lines(outcome.output);
+  std::string name;
+  double error = 0;
+  while (lines >> name >> error) errors[name] = error;
+  return errors;
 }
-
-using DriverErrors = std::map<std::string, int>;
 
 // 1/255, and 2/255 after three or more roundings; or the driver's own error where that is more.
 void setBound(Row& row, const Scene& scene, const DriverErrors& driverErrors) {
@@ -94,11 +99,12 @@ void setBound(Row& row, const Scene& scene, const DriverErrors& driverErrors) {
     row.bound = 9;
     row.boundReason = "one step of five bits";
   }
-  // The error of a level of detail is in the expectation.
-  if (measuresDriver(scene) || scene.driver == Driver::kLevelOfDetail) return;
-  const auto measured = driverErrors.find(driverScene(scene.driver));
-  if (measured == driverErrors.end() || measured->second <= row.bound) return;
-  row.bound = measured->second;
+  const auto measured = driverErrors.find(measurementOf(scene.driver));
+  if (measured == driverErrors.end()) return;
+  // From the exact color to the driver's, and half a step to the reference's rounded one.
+  const int steps = static_cast<int>(std::floor(measured->second * 255 + 0.5));
+  if (steps <= row.bound) return;
+  row.bound = steps;
   row.boundReason = measured->first;
 }
 
@@ -191,7 +197,6 @@ class Round {
     if (expected.picture().rgba.empty()) row.failures.push_back("no picture of the reference");
     judge(row, expected);
     row.results["reference"] = reference;
-    if (measuresDriver(scene)) row.failures.clear();
     writePictures(plan_, row, expected.picture());
     return row;
   }
@@ -207,27 +212,16 @@ class Round {
 
 }  // namespace
 
-std::vector<Row> compareAll(const Plan& plan) {
-  // What a bound may come from is always measured, and first.
-  std::vector<const Scene*> drivers, others;
-  for (const Scene& scene : allScenes()) {
-    if (measuresDriver(scene))
-      drivers.push_back(&scene);
-    else if (wanted(plan, scene.name))
-      others.push_back(&scene);
-  }
-  std::vector<Row> rows = Round(plan, drivers, 0).rows({});
-  DriverErrors errors;
-  double lodError = 0;
-  for (const Row& row : rows) {
-    const Difference& ours = row.results.at("ours").difference;
-    errors[row.name] = std::max(ours.worst, ours.worstOutside);
-    if (row.name.starts_with("driver/level of detail"))
-      lodError = std::max(lodError, errors[row.name] / 255.0);
-  }
-  std::vector<Row> rest = Round(plan, others, lodError).rows(errors);
-  std::move(rest.begin(), rest.end(), std::back_inserter(rows));
-  return rows;
+Comparison compareAll(const Plan& plan) {
+  Comparison result;
+  result.driverErrors = measureDriver();
+  std::vector<const Scene*> scenes;
+  for (const Scene& scene : allScenes())
+    if (wanted(plan, scene.name)) scenes.push_back(&scene);
+  const double lodError =
+      std::max(result.driverErrors["level-of-detail"], result.driverErrors["level-of-detail-in-perspective"]);
+  result.rows = Round(plan, scenes, lodError).rows(result.driverErrors);
+  return result;
 }
 
 }  // namespace comparison

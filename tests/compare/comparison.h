@@ -46,10 +46,19 @@ struct Plan {
   std::string out;  // directory for pictures; empty: none
 };
 
-std::vector<Row> compareAll(const Plan& plan);
+// What anteroom-driver measured, by name.
+using DriverErrors = std::map<std::string, double>;
+
+struct Comparison {
+  DriverErrors driverErrors;
+  std::vector<Row> rows;
+};
+
+// Throws std::runtime_error when the driver cannot be measured.
+Comparison compareAll(const Plan& plan);
 
 // Sum of what the reader wants to know first.
-std::string asTable(const std::vector<Row>& rows, const Plan& plan);
+std::string asTable(const Comparison& comparison, const Plan& plan);
 std::string asCsv(const std::vector<Row>& rows, const Plan& plan);
 std::string asJson(const std::vector<Row>& rows, const Plan& plan);
 

@@ -27,6 +27,17 @@ void blendOver() {
   drawTwo();
 }
 
+// Two passes of colours that 8 bits hold exactly, without interpolation: only the blending rounds.
+void blendExact() {
+  clear(51 / 255.0f, 102 / 255.0f, 153 / 255.0f, 204 / 255.0f);
+  texture(16, 16, noise);
+  environment(GL_REPLACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  textured(0, 0, 1, 1).draw();
+  textured(0.5, 0.25, 1.5, 1.25).draw();
+}
+
 void blendMany() {
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
@@ -136,6 +147,7 @@ void addFragmentScenes(Scenes& scenes) {
   scenes.insert(scenes.end(),
                 {
                     {"blend/over", "4.1.7", blendOver, {}, 2, Driver::kBlend},
+                    {"blend/exact colors", "4.1.7", blendExact, {}, 2, Driver::kBlend},
                     {"blend/six passes", "4.1.7", blendMany, {}, 6, Driver::kBlend},
                     {"blend/reverse subtract", "OES_blend_subtract", blendSubtract, {}, 2, Driver::kBlend},
                     {"blend/separate", "OES_blend_func_separate", blendSeparate, {}, 2, Driver::kBlend},

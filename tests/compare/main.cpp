@@ -62,10 +62,11 @@ void addImplementations(Options& options) {
 int compareAndReport(Options& options) {
   addImplementations(options);
   if (!options.plan.out.empty()) std::filesystem::create_directories(options.plan.out);
-  const std::vector<Row> rows = compareAll(options.plan);
+  const Comparison comparison = compareAll(options.plan);
+  const std::vector<Row>& rows = comparison.rows;
   const std::string text = options.json  ? asJson(rows, options.plan)
                            : options.csv ? asCsv(rows, options.plan)
-                                         : asTable(rows, options.plan);
+                                         : asTable(comparison, options.plan);
   std::fputs(text.c_str(), stdout);
   const bool good = std::all_of(rows.begin(), rows.end(), [](const Row& row) {
     return row.failures.empty() == row.deviates.empty() &&

@@ -25,16 +25,32 @@ Mesh star(int count) {
 void lines() {
   star(15).draw(GL_LINES);
 }
+// Black at one end and white at the other: an error is where along the line a fragment takes its colour from
+// (equation 3.5). Every tenth degree, since the error depends on the direction.
+void lineColors() {
+  Mesh mesh;
+  for (int i = 0; i < 36; ++i) {
+    const double a = 6.283185307 * i / 36 + 0.05, c = std::cos(a), s = std::sin(a);
+    mesh.positions.insert(mesh.positions.end(),
+                          {static_cast<GLfloat>(0.1 * c), static_cast<GLfloat>(0.1 * s), 0,
+                           static_cast<GLfloat>(0.9 * c), static_cast<GLfloat>(0.9 * s), 0});
+    mesh.colors.insert(mesh.colors.end(), {0, 0, 0, 1, 1, 1, 1, 1});
+  }
+  mesh.draw(GL_LINES);
+}
 void wideLines() {
   glLineWidth(5);
   star(7).draw(GL_LINES);
 }
+// Few enough that no two of them cover a pixel, and without alpha, whose square is stored: the driver's error
+// would count twice there.
 void smoothLines() {
   glLineWidth(2.5f);
   glEnable(GL_LINE_SMOOTH);
+  glColorMask(1, 1, 1, 0);
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  star(7).draw(GL_LINES);
+  star(5).draw(GL_LINES);
 }
 void points() {
   glPointSize(7);
@@ -113,6 +129,7 @@ void throughTheEye() {
 void addPrimitiveScenes(Scenes& scenes) {
   scenes.insert(scenes.end(), {
                                   {"lines/thin", "3.4.1", lines, {}, 0, Driver::kLine},
+                                  {"lines/colors", "3.4.1", lineColors, {}, 0, Driver::kLine},
                                   {"lines/wide", "3.4.2", wideLines, {}, 0, Driver::kLine},
                                   {"lines/smooth", "3.4.2", smoothLines, {}, 0, Driver::kSmoothLine},
                                   {"points/square", "3.3", points},

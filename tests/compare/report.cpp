@@ -50,8 +50,12 @@ std::string notes(const Row& row) {
 
 }  // namespace
 
-std::string asTable(const std::vector<Row>& rows, const Plan& plan) {
-  std::string text = fmt::format("{:40} {:>5} {:>5} {:>9}", "scene", "edges", "bound", "ref ms");
+std::string asTable(const Comparison& comparison, const Plan& plan) {
+  const std::vector<Row>& rows = comparison.rows;
+  std::string text = "the driver's own errors:\n";
+  for (const auto& [name, error] : comparison.driverErrors)
+    text += fmt::format("  {:38} {:.6f}\n", name, error);
+  text += fmt::format("{:40} {:>5} {:>5} {:>9}", "scene", "edges", "bound", "ref ms");
   for (const Implementation& implementation : plan.implementations) {
     text += fmt::format(" | {:>5} {:>7} {:>5} {:>9}", implementation.name.substr(0, 5), "rms", "cover", "ms");
   }

@@ -92,7 +92,6 @@ constexpr Remark kDeviations[] = {
 const Scenes& allScenes() {
   static const Scenes scenes = [] {
     Scenes all;
-    addDriverScenes(all);
     addLightingScenes(all);
     addTextureScenes(all);
     addFragmentScenes(all);

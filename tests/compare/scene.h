@@ -14,8 +14,7 @@ struct Surface {
   bool rgb565 = false;
 };
 
-// Where a driver may be less exact than a step: its error is measured by the scene of the same name in
-// driver_scenes.cpp.
+// Where a driver may be less exact than a step: tests/driver measures how much.
 enum class Driver { kExact, kFilter, kLevelOfDetail, kBlend, kLine, kSmoothLine };
 
 struct Scene {
@@ -40,7 +39,6 @@ void addTextureScenes(Scenes& scenes);
 void addFragmentScenes(Scenes& scenes);
 void addPrimitiveScenes(Scenes& scenes);
 void addPaletteScenes(Scenes& scenes);
-void addDriverScenes(Scenes& scenes);
 void addMatrixExtremes(Scenes& scenes);
 void addLightingExtremes(Scenes& scenes);
 void addTextureExtremes(Scenes& scenes);

@@ -1,5 +1,6 @@
 // Ordinary texturing: section 3.7 and the extensions of textures.
 #include <algorithm>
+#include <cmath>
 
 #include "canvas.h"
 #include "scene.h"
@@ -96,6 +97,47 @@ void linear() {
   texture(32, 32, noise);
   filter(GL_LINEAR, GL_LINEAR);
   environment(GL_REPLACE);
+  drawFloor();
+}
+
+// Neighbours at the greatest contrast there is: no other picture can suffer more from the weights.
+Texel contrast(int x, int y) {
+  const std::uint8_t c = (x + y) % 2 != 0 ? 255 : 0;
+  return {c, c, static_cast<std::uint8_t>(255 - c), c};
+}
+void linearContrast() {
+  texture(2, 2, contrast);
+  filter(GL_LINEAR, GL_LINEAR);
+  wrap(GL_CLAMP_TO_EDGE, GL_CLAMP_TO_EDGE);
+  environment(GL_REPLACE);
+  textured(0.25, 0.25, 0.75, 0.75).draw();
+}
+
+// Levels are black and white in turn, so that a pixel is its level of detail.
+void blackAndWhiteLevels(int levels) {
+  texture(1, 1, solid<0>);
+  for (int i = 0; i < levels; ++i) {
+    const int side = 1 << (levels - 1 - i);
+    level(i, side, side, i % 2 != 0 ? solid<255> : solid<0>);
+  }
+  filter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+  environment(GL_REPLACE);
+}
+// A row of 2x2 pixels has one scale in both directions, 2^(1/8) from one to the next.
+void levelsByScale() {
+  constexpr int kLevels = 8, kRows = 96;
+  blackAndWhiteLevels(kLevels);
+  for (int row = 0; row < kRows; row += 2) {
+    const double low = 2.0 * row / kRows - 1, high = 2.0 * (row + 2) / kRows - 1;
+    const double texelsAPixel = std::exp2(row / 16.0), side = texelsAPixel * kRows / (1 << (kLevels - 1));
+    Mesh mesh = rectangle(-1, low, 1, high);
+    const auto s = static_cast<GLfloat>(side), t = static_cast<GLfloat>(side * 2 / kRows);
+    mesh.texCoords = {0, 0, s, 0, s, t, 0, 0, s, t, 0, t};
+    mesh.draw();
+  }
+}
+void levelsOfFloor() {
+  blackAndWhiteLevels(8);
   drawFloor();
 }
 
@@ -199,6 +241,9 @@ void addTextureScenes(Scenes& scenes) {
   add("combiner/crossbar", "OES_texture_env_crossbar", crossbar);
   add("filter/nearest", "3.7.7", nearest, medium);
   add("filter/linear", "3.7.7", linear, medium, Driver::kFilter);
+  add("filter/greatest contrast", "3.7.7", linearContrast, {128, 128}, Driver::kFilter);
+  add("mipmaps/levels by scale", "3.7.7", levelsByScale, medium, Driver::kLevelOfDetail);
+  add("mipmaps/levels of a floor", "3.7.7", levelsOfFloor, medium, Driver::kLevelOfDetail);
   add(
       "mipmaps/nearest nearest", "3.7.7", [] { mipmapped(GL_NEAREST_MIPMAP_NEAREST); }, medium,
       Driver::kLevelOfDetail);

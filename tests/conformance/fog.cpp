@@ -131,8 +131,7 @@ TEST_F(Fog, AcrossAPrimitive) {
   for (int y = 4; y < 28; y += 4) {
     const double ndc = (y + 0.5) / 32 - 1, z = -1 / ndc, r = std::sqrt(z * z + 1);
     const Vec4 pixel = readPixel(32, y);
-    const double least = std::min(z, r) / 16 - 1.5 / 255,
-                 most = std::min(1.0, std::max(z, r) / 16 + 1.5 / 255);
+    const double least = std::min(z, r) / 16 - kOneStep, most = std::min(1.0, std::max(z, r) / 16 + kOneStep);
     EXPECT_GE(pixel[0], least) << y;
     EXPECT_LE(pixel[0], most) << y;
   }

@@ -48,6 +48,10 @@ std::string errorName(GLenum error);
 // Clamped to [0, 1].
 Vec4 clamp01(Vec4 color);
 
+// How far the Vulkan driver itself is off where it may be less exact than a step, as
+// build/bin/anteroom-driver measures it (tests/driver has the names); 0 on the float64 renderer.
+double driverError(const std::string& measurement);
+
 testing::AssertionResult near(const Vec4& actual, const Vec4& expected, double tolerance = kOneStep);
 testing::AssertionResult glErrorIs(GLenum expected);
 

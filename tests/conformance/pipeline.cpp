@@ -149,8 +149,6 @@ Vec4 fogged(RandomState& random, const Vec4& color) {
 
 struct Outcome {
   Vec4 pixel;
-  // llvmpipe and lavapipe blend in the 8 bits of the framebuffer: the source and the factor are rounded as
-  // well.
   double tolerance = kOneStep;
   // The alpha test may fall either way within the error of the alpha.
   bool decided = true;
@@ -183,7 +181,7 @@ Outcome written(RandomState& random, const Vec4& fragment, const Vec4& stored) {
   for (std::size_t i = 0; i < 4; ++i) {
     if (mask >> i & 1) pixel[i] = std::clamp(color[i], 0.0, 1.0);
   }
-  return {pixel, blend ? 1.5 * kOneStep : kOneStep};
+  return {pixel, blend ? std::max(kOneStep, driverError("blending")) : kOneStep};
 }
 
 TEST_F(Pipeline, RandomStates) {

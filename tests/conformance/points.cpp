@@ -239,8 +239,7 @@ TEST_F(PointsOnSprites, Interpolation) {
     for (int x = 24; x < 40; x += 3) {
       const double s = 0.5 + (x + 0.5 - 32) / size;
       EXPECT_PIXEL(x, 32,
-                   {std::floor(s * 256) / 255, std::floor(s * 256) / 255, std::floor(s * 256) / 255, 1},
-                   1.5 * kOneStep)
+                   {std::floor(s * 256) / 255, std::floor(s * 256) / 255, std::floor(s * 256) / 255, 1})
           << size << " at " << x;
     }
   }
