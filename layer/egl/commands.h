@@ -61,10 +61,13 @@
   X(eglCreatePlatformPixmapSurfaceEXT)     \
   X(eglCreatePlatformWindowSurfaceEXT)     \
   X(eglCreateSyncKHR)                      \
+  X(eglDebugMessageControlKHR)             \
   X(eglDestroyImageKHR)                    \
   X(eglDestroySyncKHR)                     \
   X(eglGetPlatformDisplayEXT)              \
   X(eglGetSyncAttribKHR)                   \
+  X(eglLabelObjectKHR)                     \
+  X(eglQueryDebugKHR)                      \
   X(eglQueryDeviceAttribEXT)               \
   X(eglQueryDeviceStringEXT)               \
   X(eglQueryDevicesEXT)                    \

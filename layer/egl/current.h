@@ -2,6 +2,7 @@
 #pragma once
 
 #include <EGL/egl.h>
+#include <EGL/eglext.h>
 
 #include <memory>
 
@@ -21,6 +22,10 @@ struct Thread {
   EGLint error;
   EGLenum api;
   Binding* binding;  // null: nothing is current
+  // EGL_KHR_debug.
+  EGLLabelKHR label = nullptr;
+  const void* primary = nullptr;  // handle of what the present command works on
+  bool primaryIsDisplay = false;
 };
 
 Thread& thisThread();

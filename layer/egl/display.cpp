@@ -101,7 +101,9 @@ std::shared_ptr<Sync> Display::sync(EGLSync handle) const {
 
 Display& displayOf(EGLDisplay handle) {
   for (const auto& display : displays()) {
-    if (display->handle() == handle) return *display;
+    if (display->handle() != handle) continue;
+    notePrimary(handle, true);
+    return *display;
   }
   throw Error{EGL_BAD_DISPLAY};
 }

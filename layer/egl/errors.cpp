@@ -13,6 +13,7 @@ std::mutex& mutex() {
 
 void setError(EGLint code) {
   thisThread().error = code;
+  thisThread().primary = nullptr;
 }
 
 void log(const char* message) {

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <new>
 
+#include "layer/egl/debug.h"
+
 namespace anteroom::egl {
 
 // Thrown inside the implementation, never through a command.
@@ -23,28 +25,28 @@ inline void require(bool condition, EGLint code) {
 using Lock = std::unique_lock<std::mutex>;
 std::mutex& mutex();
 
-// What eglGetError will return in this thread.
+// What eglGetError will return in this thread: a command has ended.
 void setError(EGLint code);
 
 // One line on stderr.
 void log(const char* message);
 
 // The frame of every command: runs `body` under the lock, which it may release while it waits, and turns what
-// it throws into the thread's error and the result `failed`.
+// it throws into the thread's error and the result `failed`. `name`: the command's, where a helper calls.
 template <typename Result, typename Body>
-Result command(Result failed, Body body) noexcept {
+Result command(Result failed, Body body, const char* name = __builtin_FUNCTION()) noexcept {
   try {
     Lock lock(mutex());
     const Result result = body(lock);
     setError(EGL_SUCCESS);
     return result;
   } catch (const Error& error) {
-    setError(error.code);
+    fail(error.code, name);
   } catch (const std::bad_alloc&) {
-    setError(EGL_BAD_ALLOC);
+    fail(EGL_BAD_ALLOC, name);
   } catch (const std::exception& error) {
     log(error.what());
-    setError(EGL_BAD_ALLOC);
+    fail(EGL_BAD_ALLOC, name);
   }
   return failed;
 }

@@ -6,6 +6,8 @@
 #include <memory>
 #include <unordered_map>
 
+#include "layer/egl/debug.h"
+
 namespace anteroom::egl {
 
 // A new handle, unlike every other of any kind (and unlike a config's, which is its small id). Called under
@@ -25,17 +27,24 @@ class Handles {
   // Null: no such object.
   std::shared_ptr<Object> find(const void* handle) const {
     const auto found = objects_.find(handle);
-    return found == objects_.end() ? nullptr : found->second;
+    if (found == objects_.end()) return nullptr;
+    notePrimary(handle, false);
+    return found->second;
   }
   std::shared_ptr<Object> take(const void* handle) {
     auto node = objects_.extract(handle);
-    return node.empty() ? nullptr : std::move(node.mapped());
+    if (node.empty()) return nullptr;
+    forgetLabel(handle);
+    return std::move(node.mapped());
+  }
+  void clear() {
+    for (const auto& [handle, object] : objects_) forgetLabel(handle);
+    objects_.clear();
   }
   template <typename Visitor>
   void forEach(Visitor visit) const {
     for (const auto& [handle, object] : objects_) visit(*object);
   }
-  void clear() { objects_.clear(); }
 
  private:
   std::unordered_map<const void*, std::shared_ptr<Object>> objects_;

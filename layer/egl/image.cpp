@@ -68,24 +68,27 @@ EGLint errorOf(gl::ShareStatus status) {
 
 template <typename Integer>
 EGLImage createImage(EGLDisplay dpy, EGLContext ctx, EGLenum target, EGLClientBuffer buffer,
-                     const Integer* attributes) {
-  return command<EGLImage>(EGL_NO_IMAGE, [&](Lock&) -> EGLImage {
-    Display& display = initializedDisplay(dpy);
-    gl::ImageSource source;
-    source.target = sourceTarget(target);
-    const std::shared_ptr<Context> context = display.context(ctx);
-    readAttributes(attributes, source);
-    const auto name = reinterpret_cast<uintptr_t>(buffer);
-    require(name != 0 && name <= UINT32_MAX, EGL_BAD_PARAMETER);
-    source.name = static_cast<GLuint>(name);
-    // Commands of a context that shares with no other take no locks: they cannot be waited for.
-    const bool elsewhere = context->thread != nullptr && context->thread != &thisThread();
-    require(!elsewhere || gl::hasCompany(*context->gl), EGL_BAD_ACCESS);
-    std::shared_ptr<gl::SharedImage> shared;
-    const gl::ShareStatus status = gl::shareImage(*context->gl, source, shared);
-    require(status == gl::ShareStatus::Shared, errorOf(status));
-    return display.images.add(std::make_shared<Image>(std::move(shared)));
-  });
+                     const Integer* attributes, const char* commandName = __builtin_FUNCTION()) {
+  return command<EGLImage>(
+      EGL_NO_IMAGE,
+      [&](Lock&) -> EGLImage {
+        Display& display = initializedDisplay(dpy);
+        gl::ImageSource source;
+        source.target = sourceTarget(target);
+        const std::shared_ptr<Context> context = display.context(ctx);
+        readAttributes(attributes, source);
+        const auto name = reinterpret_cast<uintptr_t>(buffer);
+        require(name != 0 && name <= UINT32_MAX, EGL_BAD_PARAMETER);
+        source.name = static_cast<GLuint>(name);
+        // Commands of a context that shares with no other take no locks: they cannot be waited for.
+        const bool elsewhere = context->thread != nullptr && context->thread != &thisThread();
+        require(!elsewhere || gl::hasCompany(*context->gl), EGL_BAD_ACCESS);
+        std::shared_ptr<gl::SharedImage> shared;
+        const gl::ShareStatus status = gl::shareImage(*context->gl, source, shared);
+        require(status == gl::ShareStatus::Shared, errorOf(status));
+        return display.images.add(std::make_shared<Image>(std::move(shared)));
+      },
+      commandName);
 }
 
 }  // namespace

@@ -106,11 +106,14 @@ Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
 
 // Windows and pixmaps: whatever else is wrong, the handle is no native one (EGL_MESA_platform_surfaceless,
 // EGL_EXT_platform_device).
-EGLSurface refuseNative(EGLDisplay dpy, EGLint error) {
-  return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) -> EGLSurface {
-    initializedDisplay(dpy);
-    throw Error{error};
-  });
+EGLSurface refuseNative(EGLDisplay dpy, EGLint error, const char* name = __builtin_FUNCTION()) {
+  return command<EGLSurface>(
+      EGL_NO_SURFACE,
+      [&](Lock&) -> EGLSurface {
+        initializedDisplay(dpy);
+        throw Error{error};
+      },
+      name);
 }
 
 EGLint query(const Surface& surface, EGLint attribute) {

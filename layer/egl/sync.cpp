@@ -13,39 +13,47 @@ namespace {
 
 // EGL 1.5 and EGL_KHR_fence_sync name different errors for an unknown type.
 template <typename Integer>
-EGLSync createSync(EGLDisplay dpy, EGLenum type, const Integer* attributes, EGLint unknownType) {
-  return command<EGLSync>(EGL_NO_SYNC, [&](Lock&) {
-    Display& display = initializedDisplay(dpy);
-    require(type == EGL_SYNC_FENCE || type == EGL_SYNC_REUSABLE_KHR, unknownType);
-    require(isEmpty(attributes), EGL_BAD_ATTRIBUTE);
-    if (type == EGL_SYNC_REUSABLE_KHR) return display.syncs.add(std::make_shared<ReusableSync>());
-    const Binding* binding = currentBinding();
-    require(binding != nullptr && &binding->context->display == &display, EGL_BAD_MATCH);
-    return display.syncs.add(std::make_shared<FenceSync>(binding->context));
-  });
+EGLSync createSync(EGLDisplay dpy, EGLenum type, const Integer* attributes, EGLint unknownType,
+                   const char* name = __builtin_FUNCTION()) {
+  return command<EGLSync>(
+      EGL_NO_SYNC,
+      [&](Lock&) {
+        Display& display = initializedDisplay(dpy);
+        require(type == EGL_SYNC_FENCE || type == EGL_SYNC_REUSABLE_KHR, unknownType);
+        require(isEmpty(attributes), EGL_BAD_ATTRIBUTE);
+        if (type == EGL_SYNC_REUSABLE_KHR) return display.syncs.add(std::make_shared<ReusableSync>());
+        const Binding* binding = currentBinding();
+        require(binding != nullptr && &binding->context->display == &display, EGL_BAD_MATCH);
+        return display.syncs.add(std::make_shared<FenceSync>(binding->context));
+      },
+      name);
 }
 
 template <typename Integer>
-EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Integer* value) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock& lock) {
-    const auto found = initializedDisplay(dpy).sync(sync);
-    require(value != nullptr, EGL_BAD_PARAMETER);
-    switch (attribute) {
-      case EGL_SYNC_TYPE:
-        *value = static_cast<Integer>(found->type());
-        break;
-      case EGL_SYNC_STATUS:
-        *value = found->wait(lock, 0) ? EGL_SIGNALED : EGL_UNSIGNALED;
-        break;
-      case EGL_SYNC_CONDITION:
-        require(found->type() == EGL_SYNC_FENCE, EGL_BAD_MATCH);
-        *value = EGL_SYNC_PRIOR_COMMANDS_COMPLETE;
-        break;
-      default:
-        throw Error{EGL_BAD_ATTRIBUTE};
-    }
-    return EGL_TRUE;
-  });
+EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Integer* value,
+                            const char* name = __builtin_FUNCTION()) {
+  return command<EGLBoolean>(
+      EGL_FALSE,
+      [&](Lock& lock) {
+        const auto found = initializedDisplay(dpy).sync(sync);
+        require(value != nullptr, EGL_BAD_PARAMETER);
+        switch (attribute) {
+          case EGL_SYNC_TYPE:
+            *value = static_cast<Integer>(found->type());
+            break;
+          case EGL_SYNC_STATUS:
+            *value = found->wait(lock, 0) ? EGL_SIGNALED : EGL_UNSIGNALED;
+            break;
+          case EGL_SYNC_CONDITION:
+            require(found->type() == EGL_SYNC_FENCE, EGL_BAD_MATCH);
+            *value = EGL_SYNC_PRIOR_COMMANDS_COMPLETE;
+            break;
+          default:
+            throw Error{EGL_BAD_ATTRIBUTE};
+        }
+        return EGL_TRUE;
+      },
+      name);
 }
 
 }  // namespace
