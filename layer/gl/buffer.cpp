@@ -23,15 +23,25 @@ std::shared_ptr<BufferObject>* binding(Context& c, GLenum target) {
   }
 }
 
+Fault wrongTarget(GLenum target) {
+  return wrongEnum("target", target, "Use ARRAY_BUFFER or ELEMENT_ARRAY_BUFFER");
+}
+
 // The object that a command on `target` works on; otherwise null, and the error is set.
-BufferObject* boundBuffer(Context& c, GLenum target) {
+BufferObject* boundBuffer(Context& c, GLenum target, const char* command = __builtin_FUNCTION()) {
   const std::shared_ptr<BufferObject>* bound = binding(c, target);
   if (!bound) {
-    c.setError(GL_INVALID_ENUM);
+    c.setError(GL_INVALID_ENUM, wrongTarget(target), command);
     return nullptr;
   }
-  if (!*bound) c.setError(GL_INVALID_OPERATION);
+  if (!*bound)
+    c.setError(GL_INVALID_OPERATION,
+               wrongState("No buffer is bound to the target", "Call glBindBuffer before"), command);
   return bound->get();
+}
+
+Fault stillMapped() {
+  return wrongState("The buffer is mapped", "Call glUnmapBufferOES before");
 }
 
 void unbindEverywhere(Context& c, const std::shared_ptr<BufferObject>& object) {
@@ -101,7 +111,7 @@ using namespace anteroom::gl;
 GL_API void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!buffers) return;
   ShareLock lock(*c->group);
   if (!c->group->buffers.reserve(n, buffers)) c->setError(GL_OUT_OF_MEMORY);
@@ -110,7 +120,7 @@ GL_API void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
 GL_API void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!buffers) return;
   ShareLock lock(*c->group);
   for (GLsizei i = 0; i < n; ++i) {
@@ -133,7 +143,7 @@ GL_API void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {
   Context* c = current();
   if (!c) return;
   std::shared_ptr<BufferObject>* bound = binding(*c, target);
-  if (!bound) return c->setError(GL_INVALID_ENUM);
+  if (!bound) return c->setError(GL_INVALID_ENUM, wrongTarget(target));
   ShareLock lock(*c->group);
   if (buffer == 0) {
     bound->reset();
@@ -148,9 +158,10 @@ GL_API void GL_APIENTRY glBufferData(GLenum target, GLsizeiptr size, const void*
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM);
-  if (size < 0) return c->setError(GL_INVALID_VALUE);
-  if (usage != GL_STATIC_DRAW && usage != GL_DYNAMIC_DRAW) return c->setError(GL_INVALID_ENUM);
+  if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM, wrongTarget(target));
+  if (size < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("size", size, "Give a size from 0 on"));
+  if (usage != GL_STATIC_DRAW && usage != GL_DYNAMIC_DRAW)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("usage", usage, "Use STATIC_DRAW or DYNAMIC_DRAW"));
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return;
   dropMapping(*c, *buffer);
@@ -164,10 +175,14 @@ GL_API void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeip
   ShareLock lock(*c->group);
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return;
-  if (buffer->mapped) return c->setError(GL_INVALID_OPERATION);
-  if (offset < 0 || size < 0) return c->setError(GL_INVALID_VALUE);
+  if (buffer->mapped) return c->setError(GL_INVALID_OPERATION, stillMapped());
+  if (offset < 0 || size < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber(offset < 0 ? "offset" : "size",
+                                                     offset < 0 ? offset : size, "Give numbers from 0 on"));
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(size);
-  if (begin > buffer->size() || bytes > buffer->size() - begin) return c->setError(GL_INVALID_VALUE);
+  if (begin > buffer->size() || bytes > buffer->size() - begin)
+    return c->setError(GL_INVALID_VALUE, wrongNumber("offset + size", offset + size,
+                                                     "Stay inside the buffer: ask for BUFFER_SIZE"));
   if (bytes == 0 || !data) return;
   if (!buffer->store->write(begin, data, bytes)) c->setError(GL_OUT_OF_MEMORY);
 }
@@ -176,10 +191,12 @@ GL_API void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLin
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM);
+  if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM, wrongTarget(target));
   if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
       pname != GL_BUFFER_MAPPED_OES) {
-    return c->setError(GL_INVALID_ENUM);
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("pname", pname, "Use BUFFER_SIZE, BUFFER_USAGE, BUFFER_ACCESS_OES or BUFFER_MAPPED_OES"));
   }
   const BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer || !params) return;
@@ -206,13 +223,13 @@ GL_API void* GL_APIENTRY glMapBufferOES(GLenum target, GLenum access) {
   if (!c) return nullptr;
   ShareLock lock(*c->group);
   if (access != GL_WRITE_ONLY_OES) {
-    c->setError(GL_INVALID_ENUM);
+    c->setError(GL_INVALID_ENUM, wrongEnum("access", access, "Use WRITE_ONLY_OES"));
     return nullptr;
   }
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return nullptr;
   if (buffer->mapped) {
-    c->setError(GL_INVALID_OPERATION);
+    c->setError(GL_INVALID_OPERATION, stillMapped());
     return nullptr;
   }
   return map(*c, *buffer, 0, buffer->size(), GL_MAP_WRITE_BIT_EXT, true);
@@ -225,7 +242,7 @@ GL_API GLboolean GL_APIENTRY glUnmapBufferOES(GLenum target) {
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return GL_FALSE;
   if (!buffer->mapped) {
-    c->setError(GL_INVALID_OPERATION);
+    c->setError(GL_INVALID_OPERATION, wrongState("The buffer is not mapped", "Call glMapBufferOES before"));
     return GL_FALSE;
   }
   const bool writes =
@@ -242,7 +259,8 @@ GL_API void GL_APIENTRY glGetBufferPointervOES(GLenum target, GLenum pname, void
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  if (pname != GL_BUFFER_MAP_POINTER_OES) return c->setError(GL_INVALID_ENUM);
+  if (pname != GL_BUFFER_MAP_POINTER_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use BUFFER_MAP_POINTER_OES"));
   const BufferObject* buffer = boundBuffer(*c, target);
   if (buffer && params) *params = buffer->mapped.get();
 }
@@ -262,14 +280,20 @@ GL_API void* GL_APIENTRY glMapBufferRangeEXT(GLenum target, GLintptr offset, GLs
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(length);
   if (offset < 0 || length < 0 || begin > buffer->size() || bytes > buffer->size() - begin ||
       (access & ~kAll)) {
-    c->setError(GL_INVALID_VALUE);
+    c->setError(GL_INVALID_VALUE,
+                wrongState("The range does not lie in the buffer, or access has unknown bits",
+                           "Stay inside the buffer, and use MAP_..._BIT_EXT"));
     return nullptr;
   }
   const bool reads = access & GL_MAP_READ_BIT_EXT, writes = access & GL_MAP_WRITE_BIT_EXT;
   if (bytes == 0 || buffer->mapped || (!reads && !writes) ||
       (reads && (access & (kInvalidate | GL_MAP_UNSYNCHRONIZED_BIT_EXT))) ||
       (!writes && (access & GL_MAP_FLUSH_EXPLICIT_BIT_EXT))) {
-    c->setError(GL_INVALID_OPERATION);
+    c->setError(
+        GL_INVALID_OPERATION,
+        wrongState("The buffer is mapped, the range is empty, or the bits of access do not go together",
+                   "Unmap it, and ask for MAP_READ_BIT_EXT or MAP_WRITE_BIT_EXT; only writes can be "
+                   "invalidated or flushed"));
     return nullptr;
   }
   return map(*c, *buffer, begin, bytes, access, !(access & kInvalidate));
@@ -282,11 +306,15 @@ GL_API void GL_APIENTRY glFlushMappedBufferRangeEXT(GLenum target, GLintptr offs
   BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer) return;
   if (!buffer->mapped || !(buffer->mapAccess & GL_MAP_FLUSH_EXPLICIT_BIT_EXT)) {
-    return c->setError(GL_INVALID_OPERATION);
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("The buffer is not mapped with MAP_FLUSH_EXPLICIT_BIT_EXT",
+                                  "Map it so with glMapBufferRangeEXT"));
   }
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(length);
   if (offset < 0 || length < 0 || begin > buffer->mapLength || bytes > buffer->mapLength - begin) {
-    return c->setError(GL_INVALID_VALUE);
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("offset + length", offset + length,
+                                   "Stay inside the mapped range: offset counts from its start"));
   }
   if (bytes == 0) return;
   if (!buffer->store->write(buffer->mapOffset + begin, buffer->mapped.get() + begin, bytes)) {

@@ -8,7 +8,9 @@ GL_API void GL_APIENTRY glClear(GLbitfield mask) {
   Context* c = current();
   if (!c) return;
   if (mask & ~(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)) {
-    return c->setError(GL_INVALID_VALUE);
+    return c->setError(
+        GL_INVALID_VALUE,
+        wrongEnum("mask", mask, "Use COLOR_BUFFER_BIT, DEPTH_BUFFER_BIT and STENCIL_BUFFER_BIT"));
   }
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);

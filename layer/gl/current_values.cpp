@@ -18,11 +18,16 @@ void setNormal(float x, float y, float z) {
   c->set(c->state.fixed.attributes[gen::kNormal].current, {x, y, z, 1}, gen::kGroupCurrentOther);
 }
 
-void setTexCoord(GLenum texture, float s, float t, float r, float q) {
+void setTexCoord(GLenum texture, float s, float t, float r, float q,
+                 const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits) return c->setError(GL_INVALID_ENUM);
+  if (unit >= gen::kMaxTextureUnits)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"),
+        command);
   c->set(c->state.fixed.attributes[gen::texCoord(static_cast<int>(unit))].current, {s, t, r, q},
          gen::kGroupCurrentOther);
 }

@@ -104,7 +104,10 @@ void DebugOutput::message(DebugMessage m) {
 void DebugOutput::error(GLenum code, const Fault& fault, const char* command) {
   try {
     const ErrorText& general = textOf(code);
-    std::string text = std::string(command) + ": " + general.name + ": ";
+    // Helpers that hand on no name have none that a program would know.
+    std::string text =
+        std::string_view(command).starts_with("gl") ? std::string(command) + ": " : std::string();
+    text += std::string(general.name) + ": ";
     if (fault.kind == Fault::Kind::Unknown)
       text += general.meaning;
     else if (fault.kind == Fault::Kind::State)

@@ -33,10 +33,13 @@ bool hasArrays(const gen::State& state) {
 }
 
 // Under the ShareLock; everything has been validated.
-void draw(Context& c, const render::DrawCall& call) {
-  if (readsMappedBuffer(c, call.indexType != 0)) return c.setError(GL_INVALID_OPERATION);
+void draw(Context& c, const render::DrawCall& call, const char* command = __builtin_FUNCTION()) {
+  if (readsMappedBuffer(c, call.indexType != 0))
+    return c.setError(GL_INVALID_OPERATION,
+                      wrongState("A buffer that the draw reads is mapped", "Call glUnmapBufferOES before"),
+                      command);
   prepareDraw(c);
-  if (hasArrays(c.state.fixed)) submitDraw(c, call);
+  if (hasArrays(c.state.fixed)) submitDraw(c, call, command);
 }
 
 size_t indexSize(GLenum type) {
@@ -62,9 +65,9 @@ void prepareDraw(Context& c) {
   }
 }
 
-void submitDraw(Context& c, const render::DrawCall& call) {
+void submitDraw(Context& c, const render::DrawCall& call, const char* command) {
   c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
-  if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY);
+  if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY, {}, command);
 }
 
 }  // namespace anteroom::gl
@@ -72,8 +75,11 @@ void submitDraw(Context& c, const render::DrawCall& call) {
 GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
   Context* c = current();
   if (!c) return;
-  if (mode > GL_TRIANGLE_FAN) return c->setError(GL_INVALID_ENUM);
-  if (first < 0 || count < 0) return c->setError(GL_INVALID_VALUE);
+  if (mode > GL_TRIANGLE_FAN)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use POINTS to TRIANGLE_FAN"));
+  if (first < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber("first", first, "Give a first element from 0 on"));
+  if (count < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("count", count, "Give a count from 0 on"));
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (count < fewestVertices(mode)) return;
@@ -89,11 +95,13 @@ GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
 GL_API void GL_APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
   Context* c = current();
   if (!c) return;
-  if (mode > GL_TRIANGLE_FAN) return c->setError(GL_INVALID_ENUM);
+  if (mode > GL_TRIANGLE_FAN)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use POINTS to TRIANGLE_FAN"));
   if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
-    return c->setError(GL_INVALID_ENUM);
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("type", type, "Use UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT"));
   }
-  if (count < 0) return c->setError(GL_INVALID_VALUE);
+  if (count < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("count", count, "Give a count from 0 on"));
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (count < fewestVertices(mode)) return;
@@ -121,7 +129,8 @@ GL_API void GL_APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, co
                                              GLsizei primcount) {
   Context* c = current();
   if (!c) return;
-  if (primcount < 0) return c->setError(GL_INVALID_VALUE);
+  if (primcount < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber("primcount", primcount, "Give a count from 0 on"));
   if (!first || !count) return;
   for (GLsizei i = 0; i < primcount; ++i) {
     if (count[i] > 0) glDrawArrays(mode, first[i], count[i]);
@@ -132,7 +141,8 @@ GL_API void GL_APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count
                                                const void* const* indices, GLsizei primcount) {
   Context* c = current();
   if (!c) return;
-  if (primcount < 0) return c->setError(GL_INVALID_VALUE);
+  if (primcount < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber("primcount", primcount, "Give a count from 0 on"));
   if (!count || !indices) return;
   for (GLsizei i = 0; i < primcount; ++i) {
     if (count[i] > 0) glDrawElements(mode, count[i], type, indices[i]);

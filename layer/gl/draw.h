@@ -9,6 +9,6 @@ namespace anteroom::gl {
 void prepareDraw(Context& c);
 
 // Hands a prepared draw to the renderer.
-void submitDraw(Context& c, const render::DrawCall& call);
+void submitDraw(Context& c, const render::DrawCall& call, const char* command = __builtin_FUNCTION());
 
 }  // namespace anteroom::gl

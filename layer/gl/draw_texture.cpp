@@ -99,12 +99,17 @@ void drawBox(Context& c, const Box& box) {
   c.mark(kOverridden | gen::kGroupPrimitive);
 }
 
-void drawTexture(double x, double y, double z, double width, double height) {
+void drawTexture(double x, double y, double z, double width, double height,
+                 const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  if (!(width > 0) || !(height > 0)) return c->setError(GL_INVALID_VALUE);
+  if (!(width > 0) || !(height > 0))
+    return c->setError(
+        GL_INVALID_VALUE,
+        wrongNumber(width > 0 ? "height" : "width", width > 0 ? height : width, "Give a size above 0"),
+        command);
   ShareLock lock(*c->group);
-  if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
+  if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES, {}, command);
   drawBox(*c, {x, y, z, width, height});
 }
 

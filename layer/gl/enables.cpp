@@ -97,11 +97,16 @@ bool isEnabled(Context& c, GLenum name, bool& enabled) {
 
 namespace {
 
-void setCapability(GLenum name, bool enable) {
+Fault unknownCapability(GLenum name) {
+  return wrongEnum("cap", name,
+                   "Use a capability such as BLEND, LIGHTING or TEXTURE_2D; arrays have glEnableClientState");
+}
+
+void setCapability(GLenum name, bool enable, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const Capability capability = capabilityOf(*c, name);
-  if (!capability.enabled) return c->setError(GL_INVALID_ENUM);
+  if (!capability.enabled) return c->setError(GL_INVALID_ENUM, unknownCapability(name), command);
   if (*capability.enabled == enable) return;
   *capability.enabled = enable;
   c->mark(capability.groups);
@@ -132,6 +137,6 @@ GL_API GLboolean GL_APIENTRY glIsEnabled(GLenum cap) {
   Context* c = current();
   if (!c) return GL_FALSE;
   bool enabled = false;
-  if (!isEnabled(*c, cap, enabled)) c->setError(GL_INVALID_ENUM);
+  if (!isEnabled(*c, cap, enabled)) c->setError(GL_INVALID_ENUM, unknownCapability(cap));
   return enabled ? GL_TRUE : GL_FALSE;
 }

@@ -53,12 +53,19 @@ void setBlendFunc(Context& c, GLenum srcRgb, GLenum dstRgb, GLenum srcAlpha, GLe
   c.set(ops.blendDstAlpha, dstAlpha, kOps);
 }
 
+constexpr const char* kCompareFuncs = "Use NEVER, LESS, EQUAL, LEQUAL, GREATER, NOTEQUAL, GEQUAL or ALWAYS";
+constexpr const char* kFactors = "Use a factor of tables 4.1 and 4.2, such as ONE or SRC_ALPHA";
+constexpr const char* kEquations =
+    "Use FUNC_ADD_OES, FUNC_SUBTRACT_OES, FUNC_REVERSE_SUBTRACT_OES, MIN_EXT or MAX_EXT";
+
 }  // namespace
 
 GL_API void GL_APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
   Context* c = current();
   if (!c) return;
-  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
+  if (width < 0 || height < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber(width < 0 ? "width" : "height",
+                                                     width < 0 ? width : height, "Give a size from 0 on"));
   const int(&limits)[2] = c->device.caps().maxViewport;
   anteroom::render::Rect& viewport = c->state.viewport;
   c->set(viewport.x, x, gen::kGroupViewport);
@@ -80,7 +87,9 @@ GL_API void GL_APIENTRY glDepthRangex(GLclampx n, GLclampx f) {
 GL_API void GL_APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
   Context* c = current();
   if (!c) return;
-  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
+  if (width < 0 || height < 0)
+    return c->setError(GL_INVALID_VALUE, wrongNumber(width < 0 ? "width" : "height",
+                                                     width < 0 ? width : height, "Give a size from 0 on"));
   anteroom::render::Rect& scissor = c->state.scissor;
   c->set(scissor.x, x, gen::kGroupViewport);
   c->set(scissor.y, y, gen::kGroupViewport);
@@ -101,7 +110,7 @@ GL_API void GL_APIENTRY glSampleCoveragex(GLclampx value, GLboolean invert) {
 GL_API void GL_APIENTRY glAlphaFunc(GLenum func, GLclampf ref) {
   Context* c = current();
   if (!c) return;
-  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM);
+  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM, wrongEnum("func", func, kCompareFuncs));
   c->set(c->state.fixed.alphaFunc, func, gen::kGroupAlphaTest);
   c->set(c->state.fixed.alphaRef, clamp01(ref), gen::kGroupAlphaTest);
 }
@@ -112,7 +121,7 @@ GL_API void GL_APIENTRY glAlphaFuncx(GLenum func, GLclampx ref) {
 GL_API void GL_APIENTRY glStencilFunc(GLenum func, GLint ref, GLuint mask) {
   Context* c = current();
   if (!c) return;
-  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM);
+  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM, wrongEnum("func", func, kCompareFuncs));
   c->set(c->state.ops.stencilFunc, func, kOps);
   c->set(c->state.ops.stencilValueMask, mask, kOps);
   c->stencilRef = ref;
@@ -123,7 +132,11 @@ GL_API void GL_APIENTRY glStencilOp(GLenum fail, GLenum depthFail, GLenum depthP
   Context* c = current();
   if (!c) return;
   if (!isStencilOp(fail) || !isStencilOp(depthFail) || !isStencilOp(depthPass)) {
-    return c->setError(GL_INVALID_ENUM);
+    const char* const which = !isStencilOp(fail) ? "fail" : !isStencilOp(depthFail) ? "zfail" : "zpass";
+    const GLenum op = !isStencilOp(fail) ? fail : !isStencilOp(depthFail) ? depthFail : depthPass;
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum(which, op, "Use KEEP, ZERO, REPLACE, INCR, DECR, INVERT, INCR_WRAP_OES or DECR_WRAP_OES"));
   }
   c->set(c->state.ops.stencilFail, fail, kOps);
   c->set(c->state.ops.stencilDepthFail, depthFail, kOps);
@@ -133,14 +146,16 @@ GL_API void GL_APIENTRY glStencilOp(GLenum fail, GLenum depthFail, GLenum depthP
 GL_API void GL_APIENTRY glDepthFunc(GLenum func) {
   Context* c = current();
   if (!c) return;
-  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM);
+  if (!isCompareFunc(func)) return c->setError(GL_INVALID_ENUM, wrongEnum("func", func, kCompareFuncs));
   c->set(c->state.ops.depthFunc, func, kOps);
 }
 
 GL_API void GL_APIENTRY glBlendFunc(GLenum source, GLenum destination) {
   Context* c = current();
   if (!c) return;
-  if (!isSourceFactor(source) || !isDestinationFactor(destination)) return c->setError(GL_INVALID_ENUM);
+  if (!isSourceFactor(source)) return c->setError(GL_INVALID_ENUM, wrongEnum("sfactor", source, kFactors));
+  if (!isDestinationFactor(destination))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dfactor", destination, kFactors));
   setBlendFunc(*c, source, destination, source, destination);
 }
 
@@ -148,17 +163,24 @@ GL_API void GL_APIENTRY glBlendFuncSeparateOES(GLenum srcRGB, GLenum dstRGB, GLe
                                                GLenum dstAlpha) {
   Context* c = current();
   if (!c) return;
-  if (!isSeparateSourceFactor(srcRGB) || !isSeparateDestinationFactor(dstRGB) ||
-      !isSeparateSourceFactor(srcAlpha) || !isSeparateDestinationFactor(dstAlpha)) {
-    return c->setError(GL_INVALID_ENUM);
-  }
+  if (!isSeparateSourceFactor(srcRGB))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("srcRGB", srcRGB, kFactors));
+  if (!isSeparateDestinationFactor(dstRGB))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dstRGB", dstRGB, kFactors));
+  if (!isSeparateSourceFactor(srcAlpha))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("srcAlpha", srcAlpha, kFactors));
+  if (!isSeparateDestinationFactor(dstAlpha))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dstAlpha", dstAlpha, kFactors));
   setBlendFunc(*c, srcRGB, dstRGB, srcAlpha, dstAlpha);
 }
 
 GL_API void GL_APIENTRY glBlendEquationSeparateOES(GLenum modeRGB, GLenum modeAlpha) {
   Context* c = current();
   if (!c) return;
-  if (!isBlendEquation(modeRGB) || !isBlendEquation(modeAlpha)) return c->setError(GL_INVALID_ENUM);
+  if (!isBlendEquation(modeRGB))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("modeRGB", modeRGB, kEquations));
+  if (!isBlendEquation(modeAlpha))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("modeAlpha", modeAlpha, kEquations));
   c->set(c->state.ops.blendEquationRgb, modeRGB, kOps);
   c->set(c->state.ops.blendEquationAlpha, modeAlpha, kOps);
 }
@@ -169,7 +191,9 @@ GL_API void GL_APIENTRY glBlendEquationOES(GLenum mode) {
 GL_API void GL_APIENTRY glLogicOp(GLenum op) {
   Context* c = current();
   if (!c) return;
-  if (op < GL_CLEAR || op > GL_SET) return c->setError(GL_INVALID_ENUM);
+  if (op < GL_CLEAR || op > GL_SET)
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("opcode", op, "Use a name of table 4.3, such as COPY or XOR"));
   c->set(c->state.ops.logicOp, op, kOps);
 }
 

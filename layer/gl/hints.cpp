@@ -28,6 +28,10 @@ GL_API void GL_APIENTRY glHint(GLenum target, GLenum mode) {
   Context* c = current();
   if (!c) return;
   GLenum* hint = hintOf(*c, target);
-  if (!hint || mode < GL_DONT_CARE || mode > GL_NICEST) return c->setError(GL_INVALID_ENUM);
+  if (!hint)
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("target", target, "Use a name of table 5.1, such as FOG_HINT"));
+  if (mode < GL_DONT_CARE || mode > GL_NICEST)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use FASTEST, NICEST or DONT_CARE"));
   *hint = mode;
 }

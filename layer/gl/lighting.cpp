@@ -15,16 +15,23 @@ gen::Light* lightOf(Context& c, GLenum light) {
   return index < gen::kMaxLights ? &c.state.fixed.lighting.lights[index] : nullptr;
 }
 
+constexpr const char* kLights = "Use LIGHT0 to LIGHT7";
+constexpr const char* kLightNames = "Use a name of table 2.8, such as AMBIENT, POSITION or SPOT_CUTOFF";
+constexpr const char* kMaterialNames = "Use a name of table 2.8, such as AMBIENT, SHININESS or EMISSION";
+constexpr const char* kVectors = "It has several values: use the command that takes a pointer";
+
 bool inRange(float value, float low, float high) {
   return value >= low && value <= high;
 }
 
-void setAttenuation(Context& c, float& field, float value) {
-  if (!(value >= 0)) return c.setError(GL_INVALID_VALUE);
+void setAttenuation(Context& c, float& field, float value, const char* command) {
+  if (!(value >= 0))
+    return c.setError(GL_INVALID_VALUE, wrongNumber("param", value, "Give an attenuation from 0 on"),
+                      command);
   c.set(field, value, kLighting);
 }
 
-void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& params) {
+void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& params, const char* command) {
   const glm::dmat4& modelview = c.state.fixed.modelview;
   switch (pname) {
     case GL_AMBIENT:
@@ -38,31 +45,36 @@ void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& p
     case GL_SPOT_DIRECTION:
       return c.set(light.spotDirection, glm::dmat3(modelview) * glm::dvec3(params.vec3()), kLighting);
     default:
-      return c.setError(GL_INVALID_ENUM);
+      return c.setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
   }
 }
 
-void setLight(GLenum name, GLenum pname, const Params& params) {
+void setLight(GLenum name, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   gen::Light* light = lightOf(*c, name);
-  if (!light) return c->setError(GL_INVALID_ENUM);
+  if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
   switch (pname) {
     case GL_SPOT_EXPONENT:
-      if (!inRange(params.number(), 0, 128)) return c->setError(GL_INVALID_VALUE);
+      if (!inRange(params.number(), 0, 128))
+        return c->setError(GL_INVALID_VALUE,
+                           wrongNumber("param", params.number(), "Give an exponent from 0 to 128"), command);
       return c->set(light->spotExponent, params.number(), kLighting);
     case GL_SPOT_CUTOFF:
-      if (!inRange(params.number(), 0, 90) && params.number() != 180) return c->setError(GL_INVALID_VALUE);
+      if (!inRange(params.number(), 0, 90) && params.number() != 180)
+        return c->setError(
+            GL_INVALID_VALUE,
+            wrongNumber("param", params.number(), "Give an angle from 0 to 90 degrees, or 180"), command);
       return c->set(light->spotCutoff, params.number(), kLighting);
     case GL_CONSTANT_ATTENUATION:
-      return setAttenuation(*c, light->attenuation.x, params.number());
+      return setAttenuation(*c, light->attenuation.x, params.number(), command);
     case GL_LINEAR_ATTENUATION:
-      return setAttenuation(*c, light->attenuation.y, params.number());
+      return setAttenuation(*c, light->attenuation.y, params.number(), command);
     case GL_QUADRATIC_ATTENUATION:
-      return setAttenuation(*c, light->attenuation.z, params.number());
+      return setAttenuation(*c, light->attenuation.z, params.number(), command);
     default:
-      if (!params.vector()) return c->setError(GL_INVALID_ENUM);
-      return setLightVector(*c, *light, pname, params);
+      if (!params.vector()) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kVectors), command);
+      return setLightVector(*c, *light, pname, params, command);
   }
 }
 
@@ -71,16 +83,20 @@ void setTracked(Context& c, glm::vec4& field, const glm::vec4& value) {
   if (!c.state.fixed.lighting.colorMaterial) c.set(field, value, kLighting);
 }
 
-void setMaterial(GLenum face, GLenum pname, const Params& params) {
+void setMaterial(GLenum face, GLenum pname, const Params& params,
+                 const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
-  if (face != GL_FRONT_AND_BACK) return c->setError(GL_INVALID_ENUM);
+  if (face != GL_FRONT_AND_BACK)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT_AND_BACK"), command);
   gen::Material& material = c->state.fixed.lighting.material;
   if (pname == GL_SHININESS) {
-    if (!inRange(params.number(), 0, 128)) return c->setError(GL_INVALID_VALUE);
+    if (!inRange(params.number(), 0, 128))
+      return c->setError(GL_INVALID_VALUE,
+                         wrongNumber("param", params.number(), "Give a shininess from 0 to 128"), command);
     return c->set(material.shininess, params.number(), kLighting);
   }
-  if (!params.vector()) return c->setError(GL_INVALID_ENUM);
+  if (!params.vector()) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kVectors), command);
   switch (pname) {
     case GL_AMBIENT:
       return setTracked(*c, material.ambient, params.vec4());
@@ -94,25 +110,30 @@ void setMaterial(GLenum face, GLenum pname, const Params& params) {
     case GL_EMISSION:
       return c->set(material.emission, params.vec4(), kLighting);
     default:
-      return c->setError(GL_INVALID_ENUM);
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
   }
 }
 
-void setLightModel(GLenum pname, const Params& params) {
+void setLightModel(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   if (pname == GL_LIGHT_MODEL_TWO_SIDE) {
     return c->set(c->state.fixed.lighting.twoSided, params.boolean(), kLighting);
   }
-  if (pname != GL_LIGHT_MODEL_AMBIENT || !params.vector()) return c->setError(GL_INVALID_ENUM);
+  if (pname != GL_LIGHT_MODEL_AMBIENT || !params.vector())
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("pname", pname,
+                  "Use LIGHT_MODEL_TWO_SIDE, or LIGHT_MODEL_AMBIENT with a command that takes a pointer"),
+        command);
   c->set(c->state.fixed.lighting.modelAmbient, params.vec4(), kLighting);
 }
 
-void getLight(GLenum name, GLenum pname, Results results) {
+void getLight(GLenum name, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const gen::Light* light = lightOf(*c, name);
-  if (!light) return c->setError(GL_INVALID_ENUM);
+  if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
   switch (pname) {
     case GL_AMBIENT:
       return results.normaliseds(light->ambient);
@@ -135,14 +156,15 @@ void getLight(GLenum name, GLenum pname, Results results) {
     case GL_QUADRATIC_ATTENUATION:
       return results.number(light->attenuation.z);
     default:
-      return c->setError(GL_INVALID_ENUM);
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
   }
 }
 
-void getMaterial(GLenum face, GLenum pname, Results results) {
+void getMaterial(GLenum face, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  if (face != GL_FRONT && face != GL_BACK) return c->setError(GL_INVALID_ENUM);
+  if (face != GL_FRONT && face != GL_BACK)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT or BACK"), command);
   const gen::Lighting& lighting = c->state.fixed.lighting;
   const gen::Material& material = lighting.material;
   const glm::vec4& tracked = c->state.fixed.attributes[gen::kColor].current;
@@ -158,7 +180,7 @@ void getMaterial(GLenum face, GLenum pname, Results results) {
     case GL_SHININESS:
       return results.number(material.shininess);
     default:
-      return c->setError(GL_INVALID_ENUM);
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
   }
 }
 
@@ -206,7 +228,8 @@ GL_API void GL_APIENTRY glLightModelxv(GLenum pname, const GLfixed* params) {
 GL_API void GL_APIENTRY glShadeModel(GLenum mode) {
   Context* c = current();
   if (!c) return;
-  if (mode != GL_FLAT && mode != GL_SMOOTH) return c->setError(GL_INVALID_ENUM);
+  if (mode != GL_FLAT && mode != GL_SMOOTH)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use FLAT or SMOOTH"));
   c->set(c->state.fixed.shadeModel, mode, kLighting);
 }
 

@@ -101,10 +101,20 @@ void rotate(double angle, double x, double y, double z) {
   multiply(*c, r);
 }
 
-void frustum(double l, double r, double b, double t, double n, double f) {
+Fault emptyVolume() {
+  return wrongState("Two opposite planes are the same",
+                    "Give a left other than right, a bottom other than top, a near other than far");
+}
+
+void frustum(double l, double r, double b, double t, double n, double f,
+             const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  if (!(n > 0) || !(f > 0) || l == r || b == t || n == f) return c->setError(GL_INVALID_VALUE);
+  if (!(n > 0) || !(f > 0))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber(n > 0 ? "far" : "near", n > 0 ? f : n, "Give a distance above 0"),
+                       command);
+  if (l == r || b == t || n == f) return c->setError(GL_INVALID_VALUE, emptyVolume(), command);
   glm::dmat4 m(0.0);
   m[0][0] = 2 * n / (r - l);
   m[1][1] = 2 * n / (t - b);
@@ -113,10 +123,11 @@ void frustum(double l, double r, double b, double t, double n, double f) {
   multiply(*c, m);
 }
 
-void ortho(double l, double r, double b, double t, double n, double f) {
+void ortho(double l, double r, double b, double t, double n, double f,
+           const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  if (l == r || b == t || n == f) return c->setError(GL_INVALID_VALUE);
+  if (l == r || b == t || n == f) return c->setError(GL_INVALID_VALUE, emptyVolume(), command);
   glm::dmat4 m(1.0);
   m[0][0] = 2 / (r - l);
   m[1][1] = 2 / (t - b);
@@ -127,13 +138,20 @@ void ortho(double l, double r, double b, double t, double n, double f) {
 
 template <int Depth>
 void push(Context& c, MatrixStack<Depth>& stack) {
-  if (stack.depth == Depth) return c.setError(GL_STACK_OVERFLOW);
+  if (stack.depth == Depth)
+    return c.setError(
+        GL_STACK_OVERFLOW,
+        wrongNumber("the depth of the stack", Depth, "Call glPopMatrix as often as glPushMatrix"),
+        "glPushMatrix");
   stack.below[stack.depth++ - 1] = currentMatrix(c);
 }
 
 template <int Depth>
 void pop(Context& c, MatrixStack<Depth>& stack) {
-  if (stack.depth == 1) return c.setError(GL_STACK_UNDERFLOW);
+  if (stack.depth == 1)
+    return c.setError(GL_STACK_UNDERFLOW,
+                      wrongState("Nothing was pushed", "Call glPushMatrix as often as glPopMatrix"),
+                      "glPopMatrix");
   load(c, stack.below[--stack.depth - 1]);
 }
 
@@ -143,7 +161,8 @@ GL_API void GL_APIENTRY glMatrixMode(GLenum mode) {
   Context* c = current();
   if (!c) return;
   if (mode != GL_MODELVIEW && mode != GL_PROJECTION && mode != GL_TEXTURE && mode != GL_MATRIX_PALETTE_OES)
-    return c->setError(GL_INVALID_ENUM);
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("mode", mode, "Use MODELVIEW, PROJECTION, TEXTURE or MATRIX_PALETTE_OES"));
   c->matrixMode = mode;
 }
 

@@ -7,7 +7,7 @@ namespace gen = anteroom::gen;
 
 namespace {
 
-void setPointParameter(GLenum pname, const Params& params) {
+void setPointParameter(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   gen::Points& points = c->state.fixed.points;
@@ -23,12 +23,22 @@ void setPointParameter(GLenum pname, const Params& params) {
       field = &points.fadeThreshold;
       break;
     case GL_POINT_DISTANCE_ATTENUATION:
-      if (!params.vector()) return c->setError(GL_INVALID_ENUM);
+      if (!params.vector())
+        return c->setError(
+            GL_INVALID_ENUM,
+            wrongEnum("pname", pname, "It has three values: use a command that takes a pointer"), command);
       return c->set(points.distanceAttenuation, params.vec3(), gen::kGroupPoints);
     default:
-      return c->setError(GL_INVALID_ENUM);
+      return c->setError(
+          GL_INVALID_ENUM,
+          wrongEnum(
+              "pname", pname,
+              "Use POINT_SIZE_MIN, POINT_SIZE_MAX, POINT_FADE_THRESHOLD_SIZE or POINT_DISTANCE_ATTENUATION"),
+          command);
   }
-  if (!(params.number() >= 0)) return c->setError(GL_INVALID_VALUE);
+  if (!(params.number() >= 0))
+    return c->setError(GL_INVALID_VALUE, wrongNumber("param", params.number(), "Give a size from 0 on"),
+                       command);
   c->set(*field, params.number(), gen::kGroupPoints);
 }
 
@@ -37,7 +47,7 @@ void setPointParameter(GLenum pname, const Params& params) {
 GL_API void GL_APIENTRY glPointSize(GLfloat size) {
   Context* c = current();
   if (!c) return;
-  if (!(size > 0)) return c->setError(GL_INVALID_VALUE);
+  if (!(size > 0)) return c->setError(GL_INVALID_VALUE, wrongNumber("size", size, "Give a size above 0"));
   c->set(c->state.fixed.points.size, size, gen::kGroupPoints);
 }
 GL_API void GL_APIENTRY glPointSizex(GLfixed size) {
@@ -60,7 +70,7 @@ GL_API void GL_APIENTRY glPointParameterxv(GLenum pname, const GLfixed* params) 
 GL_API void GL_APIENTRY glLineWidth(GLfloat width) {
   Context* c = current();
   if (!c) return;
-  if (!(width > 0)) return c->setError(GL_INVALID_VALUE);
+  if (!(width > 0)) return c->setError(GL_INVALID_VALUE, wrongNumber("width", width, "Give a width above 0"));
   c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
 }
 GL_API void GL_APIENTRY glLineWidthx(GLfixed width) {
@@ -70,14 +80,16 @@ GL_API void GL_APIENTRY glLineWidthx(GLfixed width) {
 GL_API void GL_APIENTRY glCullFace(GLenum mode) {
   Context* c = current();
   if (!c) return;
-  if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK) return c->setError(GL_INVALID_ENUM);
+  if (mode != GL_FRONT && mode != GL_BACK && mode != GL_FRONT_AND_BACK)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use FRONT, BACK or FRONT_AND_BACK"));
   c->set(c->state.raster.cullFaceMode, mode, gen::kGroupRaster);
 }
 
 GL_API void GL_APIENTRY glFrontFace(GLenum mode) {
   Context* c = current();
   if (!c) return;
-  if (mode != GL_CW && mode != GL_CCW) return c->setError(GL_INVALID_ENUM);
+  if (mode != GL_CW && mode != GL_CCW)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use CW or CCW"));
   c->set(c->state.raster.frontFace, mode, gen::kGroupRaster);
 }
 

@@ -56,7 +56,7 @@ GL_API const GLubyte* GL_APIENTRY glGetString(GLenum name) {
       text = c->extensions.c_str();
       break;
     default:
-      c->setError(GL_INVALID_ENUM);
+      c->setError(GL_INVALID_ENUM, wrongEnum("name", name, "Use VENDOR, RENDERER, VERSION or EXTENSIONS"));
   }
   return reinterpret_cast<const GLubyte*>(text);
 }

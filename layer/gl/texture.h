@@ -185,6 +185,10 @@ struct ImageTarget {
 };
 ImageTarget imageTarget(GLenum target);
 
+// What the messages of errors advise.
+inline constexpr const char* kTextureTargets =
+    "Use TEXTURE_2D, TEXTURE_CUBE_MAP_OES or another target of an extension";
+
 inline Texture& boundTexture(Context& c, TextureSlot slot) {
   return *c.units[static_cast<size_t>(c.activeTexture)].bound[slot];
 }

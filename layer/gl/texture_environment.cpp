@@ -124,15 +124,22 @@ gen::TextureUnit& activeUnit(Context& c) {
   return c.state.fixed.units[c.activeTexture];
 }
 
-void setScale(Context& c, float& field, float value) {
-  if (value != 1 && value != 2 && value != 4) return c.setError(GL_INVALID_VALUE);
+constexpr const char* kEnvNames = "Use a name of table 3.14, such as TEXTURE_ENV_MODE or COMBINE_RGB";
+
+void setScale(Context& c, float& field, float value, const char* command) {
+  if (value != 1 && value != 2 && value != 4)
+    return c.setError(GL_INVALID_VALUE, wrongNumber("param", value, "Use a scale of 1, 2 or 4"), command);
   c.set(field, value, kTextures);
 }
 
 // ATIX_texture_env_route; a unit's own texture stands for none.
-void setOutput(Context& c, int8_t& field, GLenum texture) {
+void setOutput(Context& c, int8_t& field, GLenum texture, const char* command) {
   const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits) return c.setError(GL_INVALID_ENUM);
+  if (unit >= gen::kMaxTextureUnits)
+    return c.setError(
+        GL_INVALID_ENUM,
+        wrongEnum("param", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"),
+        command);
   const bool own = static_cast<int>(unit) == c.activeTexture;
   c.set(field, own ? int8_t{-1} : static_cast<int8_t>(unit), kTextures);
 }
@@ -140,40 +147,53 @@ GLenum output(const Context& c, int8_t field) {
   return GL_TEXTURE0 + static_cast<GLenum>(field < 0 ? c.activeTexture : field);
 }
 
-void setEnv(GLenum target, GLenum pname, const Params& params) {
+void setEnv(GLenum target, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   gen::TextureEnv& env = activeUnit(*c).env;
   if (target == GL_POINT_SPRITE_OES) {
-    if (pname != GL_COORD_REPLACE_OES) return c->setError(GL_INVALID_ENUM);
+    if (pname != GL_COORD_REPLACE_OES)
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use COORD_REPLACE_OES"), command);
     return c->set(env.coordReplace, params.boolean(), kTextures | gen::kGroupPoints);
   }
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
-    if (pname != GL_TEXTURE_LOD_BIAS_EXT) return c->setError(GL_INVALID_ENUM);
+    if (pname != GL_TEXTURE_LOD_BIAS_EXT)
+      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use TEXTURE_LOD_BIAS_EXT"), command);
     return c->set(env.lodBias, params.number(), kTextures);
   }
-  if (target != GL_TEXTURE_ENV) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_TEXTURE_ENV)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT"),
+        command);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:
-      if (!params.vector()) return c->setError(GL_INVALID_ENUM);
+      if (!params.vector())
+        return c->setError(
+            GL_INVALID_ENUM,
+            wrongEnum("pname", pname, "It has four values: use a command that takes a pointer"), command);
       return c->set(env.color, clamp01(params.color()), kTextures);
     case GL_RGB_SCALE:
-      return setScale(*c, env.rgbScale, params.number());
+      return setScale(*c, env.rgbScale, params.number(), command);
     case GL_ALPHA_SCALE:
-      return setScale(*c, env.alphaScale, params.number());
+      return setScale(*c, env.alphaScale, params.number(), command);
     case gen::kTextureOutputRgb:
-      return setOutput(*c, env.outputRgb, params.enumerant());
+      return setOutput(*c, env.outputRgb, params.enumerant(), command);
     case gen::kTextureOutputAlpha:
-      return setOutput(*c, env.outputAlpha, params.enumerant());
+      return setOutput(*c, env.outputAlpha, params.enumerant(), command);
     default:
       break;
   }
   GLenum* field = enumOf(env, pname);
-  if (!field || !isLegal(pname, params.enumerant())) return c->setError(GL_INVALID_ENUM);
+  if (!field) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
+  if (!isLegal(pname, params.enumerant()))
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("param", params.enumerant(), "Use a value of table 3.14 that goes with pname"), command);
   c->set(*field, params.enumerant(), kTextures);
 }
 
-void getEnv(GLenum target, GLenum pname, Results results) {
+void getEnv(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   gen::TextureEnv& env = activeUnit(*c).env;
@@ -181,7 +201,11 @@ void getEnv(GLenum target, GLenum pname, Results results) {
     return results.boolean(env.coordReplace);
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT && pname == GL_TEXTURE_LOD_BIAS_EXT)
     return results.number(env.lodBias);
-  if (target != GL_TEXTURE_ENV) return c->setError(GL_INVALID_ENUM);
+  if (target != GL_TEXTURE_ENV)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT"),
+        command);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:
       return results.normaliseds(env.color);
@@ -197,25 +221,35 @@ void getEnv(GLenum target, GLenum pname, Results results) {
       break;
   }
   const GLenum* field = enumOf(env, pname);
-  if (!field) return c->setError(GL_INVALID_ENUM);
+  if (!field) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
   results.enumerant(*field);
 }
 
-void setTexGen(GLenum coord, GLenum pname, const Params& params) {
+void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
-    return c->setError(GL_INVALID_ENUM);
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum(coord != GL_TEXTURE_GEN_STR_OES ? "coord" : "pname",
+                                 coord != GL_TEXTURE_GEN_STR_OES ? coord : pname,
+                                 "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES"),
+                       command);
   const GLenum mode = params.enumerant();
-  if (mode != GL_NORMAL_MAP_OES && mode != GL_REFLECTION_MAP_OES) return c->setError(GL_INVALID_ENUM);
+  if (mode != GL_NORMAL_MAP_OES && mode != GL_REFLECTION_MAP_OES)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("param", mode, "Use NORMAL_MAP_OES or REFLECTION_MAP_OES"),
+                       command);
   c->set(activeUnit(*c).texGenMode, mode, kTextures);
 }
 
-void getTexGen(GLenum coord, GLenum pname, Results results) {
+void getTexGen(GLenum coord, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
-    return c->setError(GL_INVALID_ENUM);
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum(coord != GL_TEXTURE_GEN_STR_OES ? "coord" : "pname",
+                                 coord != GL_TEXTURE_GEN_STR_OES ? coord : pname,
+                                 "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES"),
+                       command);
   results.enumerant(activeUnit(*c).texGenMode);
 }
 
@@ -225,7 +259,10 @@ GL_API void GL_APIENTRY glActiveTexture(GLenum texture) {
   Context* c = current();
   if (!c) return;
   const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits) return c->setError(GL_INVALID_ENUM);
+  if (unit >= gen::kMaxTextureUnits)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("texture", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"));
   c->activeTexture = static_cast<int>(unit);
 }
 

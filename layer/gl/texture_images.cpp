@@ -38,6 +38,23 @@ Format copiedFormat(Format framebuffer, GLenum internalFormat) {
   return formatOf(internalFormat, GL_UNSIGNED_BYTE);
 }
 
+Fault wrongSize(GLsizei width, GLsizei height, GLint border) {
+  if (border != 0) return wrongNumber("border", border, "Give 0");
+  if (width >= 0 && height >= 0 && height > width)
+    return wrongNumber("height", height, "Give a size up to MAX_TEXTURE_SIZE at level 0; faces are square");
+  return wrongNumber(height < 0 ? "height" : "width", height < 0 ? height : width,
+                     "Give a size from 0 to MAX_TEXTURE_SIZE at level 0; faces are square");
+}
+Fault outside() {
+  return wrongState("The rectangle does not lie inside the level",
+                    "Keep xoffset + width and yoffset + height within its size");
+}
+Fault cannotCopy() {
+  return wrongState("The framebuffer lacks components of the texture, or the level takes none",
+                    "Copy to a format with the framebuffer's components or fewer (table 3.9), of a level "
+                    "that was specified");
+}
+
 }  // namespace
 
 GL_API void GL_APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width,
@@ -46,17 +63,33 @@ GL_API void GL_APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalf
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   const GLenum internal = static_cast<GLenum>(internalformat);
-  if (!validLevel(texture, level)) return c->setError(GL_INVALID_VALUE);
+  if (!validLevel(texture, level))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
   if (const CompressedFormat* blocks = compressedFormat(internal))
     return c->setError(blocks->errors.texImage);
-  if (!isTexImageFormat(internal)) return c->setError(GL_INVALID_VALUE);
-  if (!isPixelFormat(format) || !isPixelType(type)) return c->setError(GL_INVALID_ENUM);
-  if (!validSize(*c, image.slot, level, width, height) || border != 0) return c->setError(GL_INVALID_VALUE);
-  if (!combines(internal, format, type) || texture.immutable()) return c->setError(GL_INVALID_OPERATION);
+  if (!isTexImageFormat(internal))
+    return c->setError(GL_INVALID_VALUE, wrongEnum("internalformat", internal,
+                                                   "Use a base format such as RGBA, the same as format"));
+  if (!isPixelFormat(format) || !isPixelType(type))
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum(isPixelFormat(format) ? "type" : "format", isPixelFormat(format) ? type : format,
+                  "Use a format such as RGBA and a type such as UNSIGNED_BYTE"));
+  if (!validSize(*c, image.slot, level, width, height) || border != 0)
+    return c->setError(GL_INVALID_VALUE, wrongSize(width, height, border));
+  if (!combines(internal, format, type) || texture.immutable())
+    return c->setError(
+        GL_INVALID_OPERATION,
+        wrongState("internalformat, format and type do not go together, or the texture is immutable",
+                   "Use a row of table 3.8, such as RGBA, RGBA and UNSIGNED_BYTE"));
 
   const Format given = formatOf(format, type);
   const PixelRows rows{pixels, rowPitch(width, given, c->unpackAlignment), given};
@@ -69,18 +102,30 @@ GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffse
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
-  if (!validLevel(texture, level) || width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
-  if (!isPixelFormat(format) || !isPixelType(type)) return c->setError(GL_INVALID_ENUM);
+  if (!validLevel(texture, level))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, wrongSize(width, height, 0));
+  if (!isPixelFormat(format) || !isPixelType(type))
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum(isPixelFormat(format) ? "type" : "format", isPixelFormat(format) ? type : format,
+                  "Use a format such as RGBA and a type such as UNSIGNED_BYTE"));
   const TextureLevel& t = texture.at(image.face, level);
   const Format given = formatOf(format, type);
   // A compressed level takes none (sections 3.7.3, 3.7.4); nor does one that was never specified.
   if (!takesTexels(t.internalFormat, format) || given == Format::None) {
-    return c->setError(GL_INVALID_OPERATION);
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("The level was never specified, is compressed, or has another format",
+                                  "Use the format that glTexImage2D gave it"));
   }
-  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE);
+  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outside());
 
   const PixelRows rows{pixels, rowPitch(width, given, c->unpackAlignment), given};
   const render::Rect rect{xoffset, yoffset, width, height};
@@ -92,19 +137,27 @@ GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum inte
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   if (const CompressedFormat* blocks = compressedFormat(internalformat)) {
     return c->setError(blocks->errors.copyTexImage);
   }
-  if (!isCopyFormat(internalformat)) return c->setError(GL_INVALID_ENUM);
-  if (!validLevel(texture, level) || !validSize(*c, image.slot, level, width, height) || border != 0) {
-    return c->setError(GL_INVALID_VALUE);
-  }
+  if (!isCopyFormat(internalformat))
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("internalformat", internalformat, "Use a base format such as RGBA"));
+  if (!validLevel(texture, level))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (!validSize(*c, image.slot, level, width, height) || border != 0)
+    return c->setError(GL_INVALID_VALUE, wrongSize(width, height, border));
   const render::Framebuffer& framebuffer = c->readFramebuffer;
   if (const GLenum error = readError(*c)) return c->setError(error, unreadable());
-  if (!canCopy(framebuffer, internalformat) || texture.immutable()) return c->setError(GL_INVALID_OPERATION);
+  if (!canCopy(framebuffer, internalformat) || texture.immutable())
+    return c->setError(GL_INVALID_OPERATION, cannotCopy());
 
   const Format stored = copiedFormat(framebuffer.color.image->desc().format, internalformat);
   const render::Rect rect{x, y, width, height};
@@ -118,18 +171,24 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
-  if (!validLevel(texture, level) || width < 0 || height < 0) return c->setError(GL_INVALID_VALUE);
+  if (!validLevel(texture, level))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, wrongSize(width, height, 0));
   if (const GLenum error = readError(*c)) return c->setError(error, unreadable());
   const TextureLevel& t = texture.at(image.face, level);
   // Undefined levels have no base format; compressed ones take no sub-images that are not.
   if (baseFormatOf(t.internalFormat) == 0 || isCompressed(t.internalFormat) ||
       !canCopy(c->readFramebuffer, t.internalFormat)) {
-    return c->setError(GL_INVALID_OPERATION);
+    return c->setError(GL_INVALID_OPERATION, cannotCopy());
   }
-  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE);
+  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outside());
 
   const render::Rect rect{x, y, width, height};
   if (!texture.replaceFromFramebuffer(*c, image.face, level, xoffset, yoffset, rect)) {

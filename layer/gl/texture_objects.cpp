@@ -140,7 +140,7 @@ using namespace anteroom::gl;
 GL_API void GL_APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!textures) return;
   ShareLock lock(*c->group);
   if (!c->group->textures.reserve(n, textures)) c->setError(GL_OUT_OF_MEMORY);
@@ -149,7 +149,7 @@ GL_API void GL_APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
 GL_API void GL_APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!textures) return;
   ShareLock lock(*c->group);
   for (GLsizei i = 0; i < n; ++i) {
@@ -175,7 +175,7 @@ GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets));
   UnitBindings& unit = c->units[static_cast<size_t>(c->activeTexture)];
   ShareLock lock(*c->group);
   if (name == 0) return bind(*c, unit, slot, c->defaultTextures[slot]);
@@ -189,6 +189,8 @@ GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
     }
     if (!c->group->textures.put(name, texture)) return c->setError(GL_OUT_OF_MEMORY);
   }
-  if (texture->slot != slot) return c->setError(GL_INVALID_OPERATION);
+  if (texture->slot != slot)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongNumber("texture", name, "Bind it to the target that it was bound to first"));
   bind(*c, unit, slot, std::move(texture));
 }

@@ -23,20 +23,26 @@ bool isWrapMode(TextureSlot slot, GLenum value) {
           value == gen::kMirrorClampToEdge || value == gen::kMirrorClampToBorder);
 }
 
+constexpr const char* kLegalValues = "Use a value of table 3.10 that goes with pname and target";
+constexpr const char* kNames = "Use a name of table 3.10, such as TEXTURE_MIN_FILTER";
+
 template <class T>
-void assign(Context& c, Texture& texture, T& field, T value, bool legal, GLenum error = GL_INVALID_ENUM) {
-  if (!legal) return c.setError(error);
+void assign(Context& c, Texture& texture, T& field, T value, bool legal, const char* command,
+            GLenum error = GL_INVALID_ENUM) {
+  if (!legal) return c.setError(error, wrongEnum("param", static_cast<GLenum>(value), kLegalValues), command);
   if (field == value) return;
   field = value;
   texture.changed(c);
 }
 
 // Parameters of one value.
-void setParameter(GLenum target, GLenum pname, const Params& params) {
+void setParameter(GLenum target, GLenum pname, const Params& params,
+                  const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
   if (params.null()) return;
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, slot);
@@ -44,47 +50,53 @@ void setParameter(GLenum target, GLenum pname, const Params& params) {
   const GLenum value = params.enumerant();
   switch (pname) {
     case GL_TEXTURE_MIN_FILTER:
-      return assign(*c, texture, sampler.minFilter, value, isMinFilter(slot, value));
+      return assign(*c, texture, sampler.minFilter, value, isMinFilter(slot, value), command);
     case GL_TEXTURE_MAG_FILTER:
-      return assign(*c, texture, sampler.magFilter, value, isMagFilter(value));
+      return assign(*c, texture, sampler.magFilter, value, isMagFilter(value), command);
     case GL_TEXTURE_WRAP_S:
-      return assign(*c, texture, sampler.wrapS, value, isWrapMode(slot, value));
+      return assign(*c, texture, sampler.wrapS, value, isWrapMode(slot, value), command);
     case GL_TEXTURE_WRAP_T:
-      return assign(*c, texture, sampler.wrapT, value, isWrapMode(slot, value));
+      return assign(*c, texture, sampler.wrapT, value, isWrapMode(slot, value), command);
     case GL_GENERATE_MIPMAP:
-      if (slot == kSlotExternal && params.boolean()) return c->setError(GL_INVALID_ENUM);
+      if (slot == kSlotExternal && params.boolean())
+        return c->setError(GL_INVALID_ENUM,
+                           wrongEnum("pname", pname, "Textures of EGLImages alone have one level"), command);
       texture.generateMipmap = params.boolean();
       return;
     case GL_TEXTURE_MAX_ANISOTROPY_EXT:
-      return assign(*c, texture, sampler.maxAnisotropy, params.number(), params.number() >= 1,
+      return assign(*c, texture, sampler.maxAnisotropy, params.number(), params.number() >= 1, command,
                     GL_INVALID_VALUE);
     case GL_TEXTURE_MAX_LEVEL_APPLE: {
       const int level = roundToInt(params.number());
-      return assign(*c, texture, sampler.maxLevel, level, level >= 0, GL_INVALID_VALUE);
+      return assign(*c, texture, sampler.maxLevel, level, level >= 0, command, GL_INVALID_VALUE);
     }
     default:
-      c->setError(GL_INVALID_ENUM);
+      c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
   }
 }
 
 // Vector commands take the crop rectangle too; `toInt` reads a coordinate (OES_draw_texture).
 template <class T, class ToInt>
-void setParameters(GLenum target, GLenum pname, const Params& params, const T* values, ToInt toInt) {
-  if (pname != GL_TEXTURE_CROP_RECT_OES) return setParameter(target, pname, params);
+void setParameters(GLenum target, GLenum pname, const Params& params, const T* values, ToInt toInt,
+                   const char* command = __builtin_FUNCTION()) {
+  if (pname != GL_TEXTURE_CROP_RECT_OES) return setParameter(target, pname, params, command);
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
   if (!values) return;
   ShareLock lock(*c->group);
   for (size_t i = 0; i < 4; ++i) boundTexture(*c, slot).cropRect[i] = toInt(values[i]);
 }
 
-void getParameter(GLenum target, GLenum pname, void* params, Results::Form form) {
+void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
+                  const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
   if (!params) return;
   ShareLock lock(*c->group);
   const Texture& texture = boundTexture(*c, slot);
@@ -113,7 +125,7 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form)
       for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
       return;
     default:
-      c->setError(GL_INVALID_ENUM);
+      c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
   }
 }
 

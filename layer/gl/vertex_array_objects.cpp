@@ -23,7 +23,9 @@ GL_API void GL_APIENTRY glBindVertexArrayOES(GLuint array) {
   Context* c = current();
   if (!c) return;
   if (array == 0) return bindVertexArray(*c, c->defaultVertexArray);
-  if (!c->vertexArrayObjects.used(array)) return c->setError(GL_INVALID_OPERATION);
+  if (!c->vertexArrayObjects.used(array))
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongNumber("array", array, "Take names from glGenVertexArraysOES"));
   std::shared_ptr<VertexArrayObject> object = obtain(c->vertexArrayObjects, array);
   if (!object) return c->setError(GL_OUT_OF_MEMORY);
   bindVertexArray(*c, std::move(object));
@@ -32,7 +34,7 @@ GL_API void GL_APIENTRY glBindVertexArrayOES(GLuint array) {
 GL_API void GL_APIENTRY glDeleteVertexArraysOES(GLsizei n, const GLuint* arrays) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (!arrays) return;
   ShareLock lock(*c->group);
   for (GLsizei i = 0; i < n; ++i) {
@@ -45,7 +47,7 @@ GL_API void GL_APIENTRY glDeleteVertexArraysOES(GLsizei n, const GLuint* arrays)
 GL_API void GL_APIENTRY glGenVertexArraysOES(GLsizei n, GLuint* arrays) {
   Context* c = current();
   if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE);
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
   if (arrays && !c->vertexArrayObjects.reserve(n, arrays)) c->setError(GL_OUT_OF_MEMORY);
 }
 

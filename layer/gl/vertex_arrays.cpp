@@ -120,12 +120,28 @@ constexpr Allowed kMatrixIndices{1, gen::kMaxVertexUnits, kUnsignedByte};
 constexpr Allowed kWeights{1, gen::kMaxVertexUnits, kFixed | kFloat};
 
 void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum type, GLsizei stride,
-             const void* pointer) {
-  if (size < allowed.sizeMin || size > allowed.sizeMax) return c.setError(GL_INVALID_VALUE);
-  if (!(typeBit(type) & allowed.types)) return c.setError(GL_INVALID_ENUM);
-  if (stride < 0) return c.setError(GL_INVALID_VALUE);
+             const void* pointer, const char* command = __builtin_FUNCTION()) {
+  if (size < allowed.sizeMin || size > allowed.sizeMax)
+    return c.setError(
+        GL_INVALID_VALUE,
+        wrongNumber("size", size,
+                    "Give a size of table 2.4: colors have 4, positions and texture coordinates 2 to 4"),
+        command);
+  if (!(typeBit(type) & allowed.types))
+    return c.setError(GL_INVALID_ENUM,
+                      wrongEnum("type", type, "Use a type of table 2.4, such as FLOAT or FIXED"), command);
+  if (stride < 0)
+    return c.setError(GL_INVALID_VALUE,
+                      wrongNumber("stride", stride,
+                                  "Give the bytes from one element to the next, or 0 when they are packed"),
+                      command);
   // OES_vertex_array_object: its objects hold no client memory.
-  if (c.boundVertexArray->name != 0 && !c.arrayBuffer && pointer) return c.setError(GL_INVALID_OPERATION);
+  if (c.boundVertexArray->name != 0 && !c.arrayBuffer && pointer)
+    return c.setError(
+        GL_INVALID_OPERATION,
+        wrongState("A vertex array object is bound and no buffer: objects hold no client memory",
+                   "Bind a buffer to ARRAY_BUFFER, or vertex array object 0"),
+        command);
   ClientArray& array = c.vertexArrays.arrays[index];
   array.size = size;
   array.type = type;
@@ -136,11 +152,14 @@ void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum t
   if (array.enabled) c.staleArrays |= 1u << index;
 }
 
-void enableArray(GLenum name, bool enable) {
+void enableArray(GLenum name, bool enable, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   gen::Attribute attribute;
-  if (!attributeOf(*c, name, attribute)) return c->setError(GL_INVALID_ENUM);
+  if (!attributeOf(*c, name, attribute))
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("array", name, "Use VERTEX_ARRAY, COLOR_ARRAY or another ..._ARRAY"),
+                       command);
   ClientArray& array = c->vertexArrays.arrays[attribute];
   if (array.enabled == enable) return;
   array.enabled = enable;
@@ -195,6 +214,9 @@ GL_API void GL_APIENTRY glClientActiveTexture(GLenum texture) {
   Context* c = current();
   if (!c) return;
   const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits) return c->setError(GL_INVALID_ENUM);
+  if (unit >= gen::kMaxTextureUnits)
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("texture", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"));
   c->clientActiveTexture = static_cast<int>(unit);
 }

@@ -47,7 +47,7 @@ bool VulkanContext::submit() {
 
 void VulkanContext::pushGroup(std::string_view text) {
   flushBatch();
-  const VkCommandBuffer commands = device_.labels().available() ? commands_.commands() : VK_NULL_HANDLE;
+  const VkCommandBuffer commands = device_.labels().inCommands() ? commands_.commands() : VK_NULL_HANDLE;
   if (!commands) return;
   device_.labels().begin(commands, text);
   ++openGroups_;
@@ -62,7 +62,7 @@ void VulkanContext::popGroup() {
 
 void VulkanContext::mark(std::string_view text) {
   flushBatch();
-  const VkCommandBuffer commands = device_.labels().available() ? commands_.commands() : VK_NULL_HANDLE;
+  const VkCommandBuffer commands = device_.labels().inCommands() ? commands_.commands() : VK_NULL_HANDLE;
   if (commands) device_.labels().insert(commands, text);
 }
 

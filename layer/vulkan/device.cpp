@@ -55,14 +55,14 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
       return false;
     }
     volkLoadDeviceTable(&fn_, handle_);
-    labels_.load(handle_, instance_.debugUtils);
-  }
+    }
   fn_.vkGetDeviceQueue(handle_, instance_.queueFamily, 0, &queue_);
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(instance_.physical, &properties);
   limits_ = properties.limits;
   formats_ = chooseFormats(instance_.physical, features_);
   fillCaps(properties);
+  labels_.load(handle_, instance_.debugUtils, !caps_.isCpu);
   if (caps_.isCpu) keepPages();
 
   memory_ = std::make_unique<MemoryPool>(*this);

@@ -4,17 +4,18 @@
 
 namespace anteroom::vulkan {
 
-void Labels::load(VkDevice device, bool available) {
+void Labels::load(VkDevice device, bool available, bool inCommands) {
   if (!available) return;
   device_ = device;
   const auto get = [&](auto& to, const char* name) {
     to = reinterpret_cast<std::decay_t<decltype(to)>>(vkGetDeviceProcAddr(device, name));
   };
   get(name_, "vkSetDebugUtilsObjectNameEXT");
+  if (!inCommands) return;
   get(begin_, "vkCmdBeginDebugUtilsLabelEXT");
   get(end_, "vkCmdEndDebugUtilsLabelEXT");
   get(insert_, "vkCmdInsertDebugUtilsLabelEXT");
-  if (!name_ || !begin_ || !end_ || !insert_) *this = {};
+  if (!begin_ || !end_ || !insert_) begin_ = nullptr;
 }
 
 void Labels::name(VkImage image, std::string_view text) const {

@@ -9,11 +9,13 @@ namespace anteroom::vulkan {
 
 class Labels {
  public:
-  // Without the extension every function does nothing.
-  void load(VkDevice device, bool available);
-  bool available() const { return begin_ != nullptr; }
+  // Without the extension there is neither. Mesa's CPU driver crashes in labels of command buffers
+  // (VK_EXT_debug_utils of Mesa 22.3): `inCommands` false leaves them out.
+  void load(VkDevice device, bool available, bool inCommands);
+  bool inCommands() const { return begin_ != nullptr; }
 
   void name(VkImage image, std::string_view text) const;
+  // Only with inCommands().
   void begin(VkCommandBuffer commands, std::string_view text) const;
   void end(VkCommandBuffer commands) const;
   void insert(VkCommandBuffer commands, std::string_view text) const;

@@ -1,0 +1,624 @@
+// KHR_debug and EXT_debug_label: messages and what they say, the log, control, groups, labels.
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "extension_commands.h"
+#include "other_context.h"
+
+namespace conformance {
+namespace {
+
+// <GLES/glext.h> has none of these; the numbers are the registry's.
+enum : GLenum {
+  kSynchronous = 0x8242,
+  kNextLength = 0x8243,
+  kCallbackFunction = 0x8244,
+  kCallbackUserParam = 0x8245,
+  kSourceApi = 0x8246,
+  kSourceThirdParty = 0x8249,
+  kSourceApplication = 0x824A,
+  kTypeError = 0x824C,
+  kTypePerformance = 0x8250,
+  kTypeOther = 0x8251,
+  kTypeMarker = 0x8268,
+  kTypePushGroup = 0x8269,
+  kTypePopGroup = 0x826A,
+  kNotification = 0x826B,
+  kMaxGroupDepth = 0x826C,
+  kGroupDepth = 0x826D,
+  kBuffer = 0x82E0,
+  kVertexArray = 0x8074,
+  kMaxLabelLength = 0x82E8,
+  kMaxMessageLength = 0x9143,
+  kMaxLogged = 0x9144,
+  kLogged = 0x9145,
+  kHigh = 0x9146,
+  kMedium = 0x9147,
+  kLow = 0x9148,
+  kBufferObjectExt = 0x9151,
+  kVertexArrayObjectExt = 0x9154,
+  kDebugOutput = 0x92E0,
+};
+
+using DebugProc = void(GL_APIENTRY*)(GLenum, GLenum, GLuint, GLenum, GLsizei, const char*, const void*);
+
+// Loaded by SetUp.
+struct Commands {
+  void(GL_APIENTRY* Control)(GLenum, GLenum, GLenum, GLsizei, const GLuint*, GLboolean) = nullptr;
+  void(GL_APIENTRY* Insert)(GLenum, GLenum, GLuint, GLenum, GLsizei, const char*) = nullptr;
+  void(GL_APIENTRY* Callback)(DebugProc, const void*) = nullptr;
+  GLuint(GL_APIENTRY* GetLog)(GLuint, GLsizei, GLenum*, GLenum*, GLuint*, GLenum*, GLsizei*, char*) = nullptr;
+  void(GL_APIENTRY* GetPointer)(GLenum, void**) = nullptr;
+  void(GL_APIENTRY* Push)(GLenum, GLuint, GLsizei, const char*) = nullptr;
+  void(GL_APIENTRY* Pop)() = nullptr;
+  void(GL_APIENTRY* Label)(GLenum, GLuint, GLsizei, const char*) = nullptr;
+  void(GL_APIENTRY* GetLabel)(GLenum, GLuint, GLsizei, GLsizei*, char*) = nullptr;
+  void(GL_APIENTRY* PtrLabel)(const void*, GLsizei, const char*) = nullptr;
+  void(GL_APIENTRY* GetPtrLabel)(const void*, GLsizei, GLsizei*, char*) = nullptr;
+  void(GL_APIENTRY* LabelExt)(GLenum, GLuint, GLsizei, const char*) = nullptr;
+  void(GL_APIENTRY* GetLabelExt)(GLenum, GLuint, GLsizei, GLsizei*, char*) = nullptr;
+} gl;
+
+template <class Command>
+void load(Command& to, const char* name) {
+  to = command<Command>(name);
+  ASSERT_NE(to, nullptr) << name;
+}
+
+struct Message {
+  GLenum source, type;
+  GLuint id;
+  GLenum severity;
+  std::string text;
+};
+
+// A debug context; its messages arrive in `heard`.
+class DebugOutput : public GlTest {
+ protected:
+  void SetUp() override {
+    GlTest::SetUp();
+    context_ = std::make_unique<OtherContext>(std::vector<EGLint>{EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
+    if (!context_->valid() && onMesa()) GTEST_SKIP() << "Mesa makes no such contexts of ES 1.1";
+    ASSERT_TRUE(context_->valid());
+    NEEDS_EXTENSION("GL_KHR_debug");
+    NEEDS_EXTENSION("GL_EXT_debug_label");
+    load(gl.Control, "glDebugMessageControlKHR");
+    load(gl.Insert, "glDebugMessageInsertKHR");
+    load(gl.Callback, "glDebugMessageCallbackKHR");
+    load(gl.GetLog, "glGetDebugMessageLogKHR");
+    load(gl.GetPointer, "glGetPointervKHR");
+    load(gl.Push, "glPushDebugGroupKHR");
+    load(gl.Pop, "glPopDebugGroupKHR");
+    load(gl.Label, "glObjectLabelKHR");
+    load(gl.GetLabel, "glGetObjectLabelKHR");
+    load(gl.PtrLabel, "glObjectPtrLabelKHR");
+    load(gl.GetPtrLabel, "glGetObjectPtrLabelKHR");
+    load(gl.LabelExt, "glLabelObjectEXT");
+    load(gl.GetLabelExt, "glGetObjectLabelEXT");
+  }
+  void TearDown() override {
+    context_.reset();
+    GlTest::TearDown();
+  }
+
+  static void GL_APIENTRY hear(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                               const char* text, const void* self) {
+    EXPECT_EQ(std::strlen(text), static_cast<std::size_t>(length));
+    const_cast<DebugOutput*>(static_cast<const DebugOutput*>(self))
+        ->heard.push_back({source, type, id, severity, text});
+  }
+  void listen() { gl.Callback(hear, this); }
+  static GLint get(GLenum name) {
+    GLint value = -1;
+    glGetIntegerv(name, &value);
+    return value;
+  }
+  // A marker of the application.
+  static void insert(const char* text, GLuint id = 1, GLenum severity = kNotification) {
+    gl.Insert(kSourceApplication, kTypeMarker, id, severity, -1, text);
+  }
+  std::vector<std::string> texts() {
+    std::vector<std::string> out;
+    for (const Message& message : heard) out.push_back(message.text);
+    heard.clear();
+    return out;
+  }
+
+  std::vector<Message> heard;
+
+ private:
+  std::unique_ptr<OtherContext> context_;
+};
+
+TEST_F(DebugOutput, InitialState) {
+  EXPECT_EQ(glIsEnabled(kDebugOutput), GL_TRUE);
+  EXPECT_EQ(glIsEnabled(kSynchronous), GL_FALSE);
+  EXPECT_EQ(get(kLogged), 0);
+  EXPECT_EQ(get(kNextLength), 0);
+  EXPECT_EQ(get(kGroupDepth), 1);
+  EXPECT_GE(get(kMaxGroupDepth), 64);
+  EXPECT_GE(get(kMaxMessageLength), 1);
+  EXPECT_GE(get(kMaxLogged), 1);
+  EXPECT_GE(get(kMaxLabelLength), 256);
+  void* pointer = this;
+  gl.GetPointer(kCallbackFunction, &pointer);
+  EXPECT_EQ(pointer, nullptr);
+  listen();
+  gl.GetPointer(kCallbackFunction, &pointer);
+  EXPECT_EQ(pointer, reinterpret_cast<void*>(hear));
+  glGetPointerv(kCallbackUserParam, &pointer);
+  EXPECT_EQ(pointer, this);
+  glEnable(kSynchronous);
+  EXPECT_EQ(glIsEnabled(kSynchronous), GL_TRUE);
+  EXPECT_EQ(get(kSynchronous), 1);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  const OtherContext plain({});
+  EXPECT_EQ(glIsEnabled(kDebugOutput), GL_FALSE);
+  const OtherContext flagged({EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
+  EXPECT_EQ(glIsEnabled(kDebugOutput), GL_TRUE);
+}
+
+// Every error says in which call it happened, what was wrong, and what to do.
+TEST_F(DebugOutput, ErrorsSayWhatIsWrong) {
+  listen();
+  const struct {
+    std::function<void()> call;
+    GLenum error;
+    std::vector<const char*> parts;
+  } rows[] = {
+      {[] { glLineWidth(-1); },
+       GL_INVALID_VALUE,
+       {"glLineWidth", "GL_INVALID_VALUE", "width is -1", "above 0"}},
+      {[] { glPointSize(0); }, GL_INVALID_VALUE, {"glPointSize", "size is 0"}},
+      {[] { glEnable(GL_RGBA); }, GL_INVALID_ENUM, {"glEnable", "cap is 0x1908", "Use a capability"}},
+      {[] { glEnableClientState(GL_RGBA); }, GL_INVALID_ENUM, {"glEnableClientState", "array is 0x1908"}},
+      {[] { glFogf(GL_FOG_MODE, 5); }, GL_INVALID_ENUM, {"glFogf", "param is 0x0005", "EXP2"}},
+      {[] { glFogx(GL_FOG_DENSITY, -65536); }, GL_INVALID_VALUE, {"glFogx", "param is -1"}},
+      {[] { glLightf(GL_LIGHT0 + 9, GL_SPOT_CUTOFF, 1); }, GL_INVALID_ENUM, {"glLightf", "light is 0x4009"}},
+      {[] { glLightf(GL_LIGHT0, GL_SPOT_CUTOFF, 91); }, GL_INVALID_VALUE, {"glLightf", "param is 91", "180"}},
+      {[] { glLightf(GL_LIGHT0, GL_AMBIENT, 1); },
+       GL_INVALID_ENUM,
+       {"glLightf", "pname is 0x1200", "pointer"}},
+      {[] { glMaterialf(GL_FRONT, GL_SHININESS, 1); }, GL_INVALID_ENUM, {"glMaterialf", "face is 0x0404"}},
+      {[] { glShadeModel(7); }, GL_INVALID_ENUM, {"glShadeModel", "mode is 0x0007"}},
+      {[] { glViewport(0, 0, 1, -4); }, GL_INVALID_VALUE, {"glViewport", "height is -4"}},
+      {[] { glScissor(0, 0, -3, 1); }, GL_INVALID_VALUE, {"glScissor", "width is -3"}},
+      {[] { glDepthFunc(1); }, GL_INVALID_ENUM, {"glDepthFunc", "func is 0x0001", "LEQUAL"}},
+      {[] { glStencilOp(GL_KEEP, 3, GL_KEEP); }, GL_INVALID_ENUM, {"glStencilOp", "zfail is 0x0003"}},
+      {[] { glBlendFunc(GL_ONE, GL_SRC_ALPHA_SATURATE); },
+       GL_INVALID_ENUM,
+       {"glBlendFunc", "dfactor is 0x0308"}},
+      {[] { glLogicOp(GL_ONE); }, GL_INVALID_ENUM, {"glLogicOp", "opcode is 0x0001"}},
+      {[] { glClear(0x1000); }, GL_INVALID_VALUE, {"glClear", "mask is 0x1000"}},
+      {[] { glCullFace(GL_ONE); }, GL_INVALID_ENUM, {"glCullFace", "mode is 0x0001"}},
+      {[] { glHint(GL_FOG_HINT, 3); }, GL_INVALID_ENUM, {"glHint", "mode is 0x0003"}},
+      {[] { glMatrixMode(GL_FOG); }, GL_INVALID_ENUM, {"glMatrixMode", "mode is 0x0B60"}},
+      {[] { glPopMatrix(); },
+       GL_STACK_UNDERFLOW,
+       {"glPopMatrix", "GL_STACK_UNDERFLOW", "Nothing was pushed"}},
+      {[] { glFrustumf(-1, 1, -1, 1, -2, 5); }, GL_INVALID_VALUE, {"glFrustumf", "near is -2"}},
+      {[] { glOrthox(0, 0, 0, 1, 0, 1); }, GL_INVALID_VALUE, {"glOrthox", "planes are the same"}},
+      {[] { glDrawArrays(GL_TRIANGLES, -2, 3); }, GL_INVALID_VALUE, {"glDrawArrays", "first is -2"}},
+      {[] { glDrawArrays(7, 0, 3); }, GL_INVALID_ENUM, {"glDrawArrays", "mode is 0x0007"}},
+      {[] { glDrawElements(GL_TRIANGLES, 3, GL_FLOAT, nullptr); },
+       GL_INVALID_ENUM,
+       {"glDrawElements", "type is 0x1406", "UNSIGNED_SHORT"}},
+      {[] { glVertexPointer(5, GL_FLOAT, 0, nullptr); }, GL_INVALID_VALUE, {"glVertexPointer", "size is 5"}},
+      {[] { glColorPointer(4, GL_SHORT, 0, nullptr); },
+       GL_INVALID_ENUM,
+       {"glColorPointer", "type is 0x1402"}},
+      {[] { glNormalPointer(GL_FLOAT, -8, nullptr); }, GL_INVALID_VALUE, {"glNormalPointer", "stride is -8"}},
+      {[] { glBufferData(GL_ARRAY_BUFFER, 4, nullptr, GL_STATIC_DRAW); },
+       GL_INVALID_OPERATION,
+       {"glBufferData", "No buffer is bound", "glBindBuffer"}},
+      {[] { glBindBuffer(GL_RGBA, 1); }, GL_INVALID_ENUM, {"glBindBuffer", "target is 0x1908"}},
+      {[] { glGenBuffers(-1, nullptr); }, GL_INVALID_VALUE, {"glGenBuffers", "n is -1"}},
+      {[] { glBindTexture(GL_RGBA, 1); }, GL_INVALID_ENUM, {"glBindTexture", "target is 0x1908"}},
+      {[] { glActiveTexture(GL_TEXTURE0 + 64); }, GL_INVALID_ENUM, {"glActiveTexture", "texture is 0x8500"}},
+      {[] { glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, 3); },
+       GL_INVALID_ENUM,
+       {"glTexParameteri", "param is 0x0003"}},
+      {[] { glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, 3); },
+       GL_INVALID_VALUE,
+       {"glTexEnvf", "param is 3", "1, 2 or 4"}},
+      {[] { glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, 1); },
+       GL_INVALID_ENUM,
+       {"glTexEnvi", "param is 0x0001"}},
+      {[] { glTexImage2D(GL_TEXTURE_2D, -1, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+       GL_INVALID_VALUE,
+       {"glTexImage2D", "level is -1"}},
+      {[] { glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+       GL_INVALID_VALUE,
+       {"glTexImage2D", "border is 1", "Give 0"}},
+      {[] { glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+       GL_INVALID_OPERATION,
+       {"glTexSubImage2D", "never specified"}},
+      {[] { glReadPixels(0, 0, -1, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr); },
+       GL_INVALID_VALUE,
+       {"glReadPixels", "width is -1"}},
+      {[] { glPixelStorei(GL_PACK_ALIGNMENT, 3); },
+       GL_INVALID_VALUE,
+       {"glPixelStorei", "param is 3", "1, 2, 4 or 8"}},
+      {[] { glGetString(5); }, GL_INVALID_ENUM, {"glGetString", "name is 0x0005"}},
+      {[] { get(5); }, GL_INVALID_ENUM, {"glGetIntegerv", "pname is 0x0005"}},
+      {[] { command<PFNGLBINDFRAMEBUFFEROESPROC>("glBindFramebufferOES")(GL_RGBA, 1); },
+       GL_INVALID_ENUM,
+       {"glBindFramebufferOES", "target is 0x1908"}},
+      {[] {
+         command<PFNGLRENDERBUFFERSTORAGEOESPROC>("glRenderbufferStorageOES")(GL_RENDERBUFFER_OES,
+                                                                              GL_RGBA8_OES, 1, 1);
+       },
+       GL_INVALID_OPERATION,
+       {"glRenderbufferStorageOES", "No renderbuffer is bound"}},
+  };
+  for (const auto& row : rows) {
+    heard.clear();
+    row.call();
+    EXPECT_GL_ERROR(row.error) << row.parts[0];
+    ASSERT_EQ(heard.size(), 1u) << row.parts[0];
+    const Message& message = heard[0];
+    EXPECT_EQ(message.source, GLenum{kSourceApi});
+    EXPECT_EQ(message.type, GLenum{kTypeError});
+    EXPECT_EQ(message.severity, GLenum{kHigh});
+    EXPECT_EQ(message.id, row.error);
+    EXPECT_EQ(message.text.find(row.parts[0]), 0u) << message.text;
+    for (const char* part : row.parts) EXPECT_NE(message.text.find(part), std::string::npos) << message.text;
+    EXPECT_EQ(message.text.back(), '.');
+  }
+}
+
+// Errors after the first make messages, too, though glGetError tells of one alone.
+TEST_F(DebugOutput, EveryErrorIsTold) {
+  listen();
+  glLineWidth(-1);
+  glLineWidth(-2);
+  glEnable(1);
+  EXPECT_EQ(heard.size(), 3u);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  heard.clear();
+  glDisable(kDebugOutput);
+  glLineWidth(-1);
+  EXPECT_TRUE(heard.empty());
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  glEnable(kDebugOutput);
+  glLineWidth(-1);
+  EXPECT_EQ(heard.size(), 1u);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+}
+
+// A context without the flag is silent until it is asked.
+TEST_F(DebugOutput, WithoutADebugContext) {
+  const OtherContext plain({});
+  listen();
+  glLineWidth(-1);
+  insert("unheard");
+  EXPECT_TRUE(heard.empty());
+  glEnable(kDebugOutput);
+  glLineWidth(-1);
+  EXPECT_EQ(heard.size(), 1u);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  // Nothing of it is an error while output is off.
+  glDisable(kDebugOutput);
+  gl.Insert(kSourceApi, kTypeError, 1, kHigh, -1, "discarded");
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
+// A pipeline that a draw must wait for.
+TEST_F(DebugOutput, SlowCommands) {
+  const char* renderer = std::getenv("ANTEROOM_RENDERER");
+  if (renderer && std::string(renderer) == "reference") GTEST_SKIP() << "the reference compiles nothing";
+  listen();
+  glEnable(GL_FOG);
+  glFogf(GL_FOG_MODE, GL_EXP2);
+  glEnable(GL_ALPHA_TEST);
+  glAlphaFunc(GL_NOTEQUAL, 0.3f);
+  glEnable(GL_CLIP_PLANE3);
+  glShadeModel(GL_FLAT);
+  drawRect();
+  ASSERT_EQ(heard.size(), 1u);
+  EXPECT_EQ(heard[0].source, GLenum{kSourceApi});
+  EXPECT_EQ(heard[0].type, GLenum{kTypePerformance});
+  EXPECT_EQ(heard[0].severity, GLenum{kMedium});
+  EXPECT_NE(heard[0].text.find("pipeline"), std::string::npos);
+  drawRect();
+  EXPECT_EQ(heard.size(), 1u) << "the second draw waits for nothing";
+}
+
+TEST_F(DebugOutput, Log) {
+  insert("first", 11);
+  gl.Insert(kSourceThirdParty, kTypeOther, 12, kMedium, 6, "second and more");
+  EXPECT_EQ(get(kLogged), 2);
+  EXPECT_EQ(get(kNextLength), 6);
+  GLenum sources[4], types[4], severities[4];
+  GLuint ids[4];
+  GLsizei lengths[4];
+  char text[64];
+  gl.GetLog(1, -1, nullptr, nullptr, nullptr, nullptr, nullptr, text);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);  // which is the third message
+  EXPECT_EQ(gl.GetLog(4, 6, sources, types, ids, severities, lengths, text), 1u) << "the second does not fit";
+  EXPECT_EQ(std::string(text), "first");
+  EXPECT_EQ(lengths[0], 6);
+  EXPECT_EQ(ids[0], 11u);
+  EXPECT_EQ(gl.GetLog(4, 5, sources, types, ids, severities, lengths, text), 0u);
+  EXPECT_EQ(gl.GetLog(1, 64, sources, types, ids, severities, lengths, text), 1u);
+  EXPECT_EQ(std::string(text), "second");
+  EXPECT_EQ(sources[0], GLenum{kSourceThirdParty});
+  EXPECT_EQ(types[0], GLenum{kTypeOther});
+  EXPECT_EQ(severities[0], GLenum{kMedium});
+  EXPECT_EQ(get(kLogged), 1);
+  EXPECT_EQ(gl.GetLog(9, 0, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr), 1u);
+  EXPECT_EQ(get(kLogged), 0);
+  // Two strings after each other.
+  insert("a");
+  insert("bc");
+  EXPECT_EQ(gl.GetLog(2, 5, nullptr, nullptr, nullptr, nullptr, nullptr, text), 2u);
+  EXPECT_EQ(std::memcmp(text, "a\0bc\0", 5), 0);
+  // A full log takes no more.
+  const GLint most = get(kMaxLogged);
+  for (GLint i = 0; i < most + 10; ++i) insert("again", static_cast<GLuint>(i));
+  EXPECT_EQ(get(kLogged), most);
+  EXPECT_EQ(gl.GetLog(1, 0, nullptr, nullptr, ids, nullptr, nullptr, nullptr), 1u);
+  EXPECT_EQ(ids[0], 0u);
+  // With a callback nothing is logged.
+  listen();
+  insert("heard");
+  EXPECT_EQ(get(kLogged), most - 1);
+  EXPECT_EQ(heard.size(), 1u);
+  gl.Callback(nullptr, nullptr);
+  insert("logged");
+  EXPECT_EQ(get(kLogged), most);
+  EXPECT_EQ(heard.size(), 1u);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
+// By source, type, severity and id; low severity is off at first; the last word counts.
+TEST_F(DebugOutput, Control) {
+  listen();
+  const auto each = [&] {
+    heard.clear();
+    for (const GLenum source : {kSourceApplication, kSourceThirdParty})
+      for (const GLenum type : {kTypeMarker, kTypeOther})
+        for (const GLenum severity : {kNotification, kLow})
+          for (const GLuint id : {1u, 2u}) gl.Insert(source, type, id, severity, -1, "x");
+    return heard.size();
+  };
+  EXPECT_EQ(each(), 8u);
+  gl.Control(GL_DONT_CARE, GL_DONT_CARE, kLow, 0, nullptr, GL_TRUE);
+  EXPECT_EQ(each(), 16u);
+  gl.Control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  EXPECT_EQ(each(), 0u);
+  glLineWidth(-1);
+  EXPECT_TRUE(heard.empty());
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  gl.Control(kSourceApplication, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  EXPECT_EQ(each(), 8u);
+  gl.Control(kSourceApplication, kTypeMarker, kLow, 0, nullptr, GL_FALSE);
+  EXPECT_EQ(each(), 6u);
+  const GLuint ids[] = {2, 77};
+  gl.Control(kSourceApplication, kTypeOther, GL_DONT_CARE, 2, ids, GL_FALSE);
+  EXPECT_EQ(each(), 4u);
+  gl.Control(kSourceThirdParty, kTypeOther, GL_DONT_CARE, 2, ids, GL_TRUE);
+  EXPECT_EQ(each(), 6u);
+  gl.Control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  EXPECT_EQ(each(), 16u);
+  const GLuint error = GL_INVALID_VALUE;
+  gl.Control(kSourceApi, kTypeError, GL_DONT_CARE, 1, &error, GL_FALSE);
+  heard.clear();
+  glLineWidth(-1);
+  EXPECT_TRUE(heard.empty());
+  glEnable(1);
+  EXPECT_EQ(heard.size(), 1u);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+}
+
+TEST_F(DebugOutput, ControlAndInsertErrors) {
+  const GLuint id = 1;
+  gl.Control(1, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Control(GL_DONT_CARE, 1, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Control(GL_DONT_CARE, GL_DONT_CARE, 1, 0, nullptr, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Control(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, -1, nullptr, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  gl.Control(GL_DONT_CARE, kTypeError, GL_DONT_CARE, 1, &id, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+  gl.Control(kSourceApi, GL_DONT_CARE, GL_DONT_CARE, 1, &id, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+  gl.Control(kSourceApi, kTypeError, kHigh, 1, &id, GL_TRUE);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+  gl.Insert(kSourceApi, kTypeOther, 1, kHigh, -1, "x");
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Insert(kSourceApplication, 1, 1, kHigh, -1, "x");
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Insert(kSourceApplication, kTypeOther, 1, 1, -1, "x");
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  const std::string longest(static_cast<std::size_t>(get(kMaxMessageLength)) - 1, 'x');
+  const GLsizei length = static_cast<GLsizei>(longest.size());
+  listen();
+  gl.Insert(kSourceApplication, kTypeOther, 1, kHigh, length, longest.c_str());
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  EXPECT_EQ(heard[0].text, longest);
+  gl.Insert(kSourceApplication, kTypeOther, 1, kHigh, length + 1, (longest + "y").c_str());
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  gl.Insert(kSourceApplication, kTypeOther, 1, kHigh, -1, (longest + "y").c_str());
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+}
+
+// Groups make a message at each end, and control in one ends with it.
+TEST_F(DebugOutput, Groups) {
+  listen();
+  gl.Push(kSourceApplication, 5, -1, "outer");
+  EXPECT_EQ(get(kGroupDepth), 2);
+  gl.Control(kSourceApplication, kTypeMarker, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  insert("unheard");
+  gl.Push(kSourceThirdParty, 6, 5, "inner and more");
+  insert("unheard: control is inherited");
+  gl.Control(kSourceApplication, kTypeMarker, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  insert("heard");
+  gl.Pop();
+  insert("unheard again");
+  gl.Pop();
+  insert("heard again");
+  ASSERT_EQ(heard.size(), 6u);
+  EXPECT_EQ(heard[0].type, GLenum{kTypePushGroup});
+  EXPECT_EQ(heard[0].id, 5u);
+  EXPECT_EQ(heard[0].severity, GLenum{kNotification});
+  EXPECT_EQ(heard[1].source, GLenum{kSourceThirdParty});
+  EXPECT_EQ(heard[3].type, GLenum{kTypePopGroup});
+  EXPECT_EQ(heard[3].source, GLenum{kSourceThirdParty});
+  EXPECT_EQ(heard[3].id, 6u);
+  EXPECT_EQ(texts(), (std::vector<std::string>{"outer", "inner", "heard", "inner", "outer", "heard again"}));
+  EXPECT_EQ(get(kGroupDepth), 1);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  gl.Pop();
+  EXPECT_GL_ERROR(GL_STACK_UNDERFLOW);
+  gl.Push(kSourceApi, 1, -1, "x");
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.Push(kSourceApplication, 1, -1,
+          std::string(static_cast<std::size_t>(get(kMaxMessageLength)), 'x').c_str());
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  const GLint most = get(kMaxGroupDepth);
+  for (GLint depth = 1; depth < most; ++depth) gl.Push(kSourceApplication, 1, -1, "deeper");
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  gl.Push(kSourceApplication, 1, -1, "too deep");
+  EXPECT_GL_ERROR(GL_STACK_OVERFLOW);
+  EXPECT_EQ(get(kGroupDepth), most);
+}
+
+// Groups, marks and draws mixed, also left open when the context goes.
+TEST_F(DebugOutput, GroupsAroundDraws) {
+  COMMAND(PFNGLPUSHGROUPMARKEREXTPROC, PushGroupMarkerEXT);
+  COMMAND(PFNGLPOPGROUPMARKEREXTPROC, PopGroupMarkerEXT);
+  COMMAND(PFNGLINSERTEVENTMARKEREXTPROC, InsertEventMarkerEXT);
+  PopGroupMarkerEXT();
+  glClear(GL_COLOR_BUFFER_BIT);
+  for (int i = 0; i < 3; ++i) {
+    gl.Push(kSourceApplication, 1, -1, "frame");
+    PushGroupMarkerEXT(0, "quad");
+    glColor4f(0, 1, 0, 1);
+    drawRect({-1, -1, 0, 1});
+    InsertEventMarkerEXT(0, "in the middle");
+    insert("and so");
+    PopGroupMarkerEXT();
+    glFlush();
+    if (i < 2) gl.Pop();
+    EXPECT_PIXEL(8, 8, {0, 1, 0, 1});
+  }
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
+struct Object {
+  GLenum khr, ext;
+  GLuint name;
+};
+
+std::vector<Object> makeObjects() {
+  GLuint buffer = 0, texture = 0, framebuffer = 0, renderbuffer = 0, array = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  useNearest();
+  command<PFNGLGENFRAMEBUFFERSOESPROC>("glGenFramebuffersOES")(1, &framebuffer);
+  command<PFNGLGENRENDERBUFFERSOESPROC>("glGenRenderbuffersOES")(1, &renderbuffer);
+  command<PFNGLBINDRENDERBUFFEROESPROC>("glBindRenderbufferOES")(GL_RENDERBUFFER_OES, renderbuffer);
+  command<PFNGLRENDERBUFFERSTORAGEOESPROC>("glRenderbufferStorageOES")(GL_RENDERBUFFER_OES, GL_RGBA8_OES, 4,
+                                                                       4);
+  command<PFNGLGENVERTEXARRAYSOESPROC>("glGenVertexArraysOES")(1, &array);
+  command<PFNGLBINDVERTEXARRAYOESPROC>("glBindVertexArrayOES")(array);
+  command<PFNGLBINDVERTEXARRAYOESPROC>("glBindVertexArrayOES")(0);
+  command<PFNGLBINDFRAMEBUFFEROESPROC>("glBindFramebufferOES")(GL_FRAMEBUFFER_OES, framebuffer);
+  command<PFNGLBINDFRAMEBUFFEROESPROC>("glBindFramebufferOES")(GL_FRAMEBUFFER_OES, 0);
+  return {{kBuffer, kBufferObjectExt, buffer},
+          {GL_TEXTURE, GL_TEXTURE, texture},
+          {GL_FRAMEBUFFER_OES, GL_FRAMEBUFFER_OES, framebuffer},
+          {GL_RENDERBUFFER_OES, GL_RENDERBUFFER_OES, renderbuffer},
+          {kVertexArray, kVertexArrayObjectExt, array}};
+}
+
+TEST_F(DebugOutput, Labels) {
+  char text[300];
+  for (const Object& object : makeObjects()) {
+    const auto label = [&](GLsizei room = sizeof text) {
+      GLsizei length = -1;
+      gl.GetLabel(object.khr, object.name, room, &length, text);
+      EXPECT_EQ(static_cast<std::size_t>(length), std::strlen(text));
+      return std::string(text);
+    };
+    EXPECT_EQ(label(), "");
+    gl.Label(object.khr, object.name, -1, "the first");
+    EXPECT_EQ(label(), "the first");
+    EXPECT_EQ(label(4), "the");
+    GLsizei length = 0;
+    gl.GetLabel(object.khr, object.name, 0, &length, nullptr);
+    EXPECT_EQ(length, 9);
+    gl.Label(object.khr, object.name, 3, "abcdef");
+    EXPECT_EQ(label(), "abc");
+    gl.GetLabelExt(object.ext, object.name, sizeof text, &length, text);
+    EXPECT_EQ(std::string(text), "abc") << "one label, whoever asks";
+    gl.LabelExt(object.ext, object.name, 0, "to the null");
+    EXPECT_EQ(label(), "to the null");
+    gl.LabelExt(object.ext, object.name, 2, "xyz");
+    EXPECT_EQ(label(), "xy");
+    gl.Label(object.khr, object.name, 5, nullptr);
+    EXPECT_EQ(label(), "");
+    const std::string longest(static_cast<std::size_t>(get(kMaxLabelLength)) - 1, 'x');
+    gl.Label(object.khr, object.name, -1, longest.c_str());
+    EXPECT_EQ(label(), longest);
+    EXPECT_GL_ERROR(GL_NO_ERROR);
+    gl.Label(object.khr, object.name, -1, (longest + "y").c_str());
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+    gl.Label(object.khr, 77777, -1, "x");
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+    gl.GetLabel(object.khr, 77777, sizeof text, nullptr, text);
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+    gl.LabelExt(object.ext, 77777, 0, "x");
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+    gl.GetLabelExt(object.ext, 77777, sizeof text, nullptr, text);
+    EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+    gl.LabelExt(object.ext, object.name, -1, "x");
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+    gl.GetLabelExt(object.ext, object.name, -1, nullptr, text);
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+    gl.GetLabel(object.khr, object.name, -1, nullptr, text);
+    EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  }
+  for (const GLenum type : {GLenum{GL_RGBA}, GLenum{kBufferObjectExt}, GLenum{0x82E1}}) {  // SHADER
+    gl.Label(type, 1, -1, "x");
+    EXPECT_GL_ERROR(GL_INVALID_ENUM);
+    gl.GetLabel(type, 1, sizeof text, nullptr, text);
+    EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  }
+  gl.LabelExt(kBuffer, 1, 0, "x");
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.GetLabelExt(GL_RGBA, 1, sizeof text, nullptr, text);
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+  gl.PtrLabel(this, -1, "x");
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+  gl.GetPtrLabel(this, sizeof text, nullptr, text);
+  EXPECT_GL_ERROR(GL_INVALID_VALUE);
+}
+
+// Labels of images in use, before and after they are made.
+TEST_F(DebugOutput, LabelsOfImagesInUse) {
+  const std::vector<Object> objects = makeObjects();
+  const GLuint texture = objects[1].name;
+  gl.Label(GL_TEXTURE, texture, -1, "before");
+  glEnable(GL_TEXTURE_2D);
+  drawTexturedRect({}, 0, 0, 1, 1);
+  gl.Label(GL_TEXTURE, texture, -1, "after");
+  drawTexturedRect({}, 0, 0, 1, 1);
+  glFinish();
+  gl.Label(GL_RENDERBUFFER_OES, objects[3].name, -1, "a renderbuffer");
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
+}  // namespace
+}  // namespace conformance
