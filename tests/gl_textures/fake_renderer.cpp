@@ -73,8 +73,10 @@ Texel decodeTexel(Format format, const uint8_t* t) {
     case Format::LA8:
       return {t[0], t[0], t[0], t[1]};
     case Format::RGB8:
+    case Format::SRGB8:
       return {t[0], t[1], t[2], 255};
     case Format::RGBA8:
+    case Format::SRGB8Alpha8:
       return {t[0], t[1], t[2], t[3]};
     default:
       break;
@@ -105,9 +107,11 @@ void encodeTexel(Format format, const Texel& value, uint8_t* t) {
       t[0] = byte(value[0]);
       return;
     case Format::RGBA8:
+    case Format::SRGB8Alpha8:
       t[3] = byte(value[3]);
       [[fallthrough]];
     case Format::RGB8:
+    case Format::SRGB8:
       for (size_t i = 0; i < 3; ++i) t[i] = byte(value[i]);
       return;
     default:

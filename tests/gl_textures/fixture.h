@@ -41,6 +41,13 @@ inline size_t specifiedPitch(const Pair& pair, int width, size_t alignment) {
   return k * s;
 }
 
+inline std::vector<uint8_t> noise(size_t size, unsigned seed) {
+  std::minstd_rand random(seed + 1);
+  std::vector<uint8_t> bytes(size);
+  for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random() >> 8);
+  return bytes;
+}
+
 inline Texel framebufferTexel(int x, int y) {
   return {x * 7 & 255, y * 11 & 255, (x + y) * 3 & 255, x * y & 255};
 }
@@ -83,13 +90,6 @@ class TexturesTest : public testing::Test {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     if (device.log.draws == before) ADD_FAILURE() << "nothing was drawn";
     return dynamic_cast<FakeImage*>(renderer(c).textures[0].image);
-  }
-
-  static std::vector<uint8_t> noise(size_t size, unsigned seed) {
-    std::minstd_rand random(seed + 1);
-    std::vector<uint8_t> bytes(size);
-    for (uint8_t& byte : bytes) byte = static_cast<uint8_t>(random() >> 8);
-    return bytes;
   }
 
   static void filter(GLenum target, GLenum minFilter) {

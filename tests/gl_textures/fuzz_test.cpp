@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "fixture.h"
+#include "layer/gl/compressed.h"
 
 namespace anteroom::test {
 namespace {
@@ -73,6 +74,49 @@ class FuzzTest : public TexturesTest {
       glCompressedTexSubImage2D(imageTarget(), -levels, offset(), offset(), width, width, format, bytes,
                                 exact.data());
     }
+  }
+
+  // Formats of extensions, and images that cannot be specified anew.
+  void blocks() {
+    const auto formats = gl::compressedFormats();
+    const gl::CompressedFormat& format = formats[next() % formats.size()];
+    const GLint width = size(), height = chance(60) ? width : size();
+    const bool large = width < 0 || height < 0 || width > 64 || height > 64;
+    const int64_t bytes = large ? 64 : gl::compressedSize(format, width, height);
+    const std::vector<uint8_t> exact = noise(static_cast<size_t>(bytes), next());
+    const GLsizei given = static_cast<GLsizei>(bytes) + (chance(3) ? 1 : 0);
+    if (chance(60)) {
+      glCompressedTexImage2D(imageTarget(), level(), format.name, width, height, chance(98) ? 0 : 1, given,
+                             chance(95) ? exact.data() : nullptr);
+    } else {
+      glCompressedTexSubImage2D(imageTarget(), level(), offset() & ~3, offset() & ~3, width, height,
+                                format.name, given, exact.data());
+    }
+  }
+
+  void storage() {
+    constexpr GLenum kInternal[] = {GL_RGBA8_OES, GL_RGB565_OES,    GL_ALPHA8_EXT,
+                                    GL_BGRA8_EXT, GL_ETC1_RGB8_OES, GL_COMPRESSED_RGBA_PVRTC_2BPPV1_IMG,
+                                    GL_RGBA4_OES, GL_3DC_XY_AMD};
+    if (chance(50)) {
+      return glTexStorage2DEXT(target(), static_cast<GLsizei>(next() % 6),
+                               chance(97) ? pick(kInternal) : next(), size(), size());
+    }
+    glCopyTextureLevelsAPPLE(name(), name(), level(), static_cast<GLsizei>(next() % 4));
+  }
+
+  void otherTexels() {
+    constexpr GLenum kFormats[] = {GL_BGRA_EXT, GL_SRGB_EXT, GL_SRGB_ALPHA_EXT, GL_RGBA, GL_RGB};
+    constexpr GLenum kInternal[] = {GL_BGRA_EXT,  GL_SRGB_EXT,   GL_SRGB_ALPHA_EXT, GL_RGBA8_OES,
+                                    GL_RGBA4_OES, GL_RGB565_OES, GL_RGB5_A1_OES,    GL_RGBA};
+    const GLint width = size(), height = size();
+    const void* pixels = int64_t{width} * height > 64 * 64 ? nullptr : data();
+    if (chance(50)) {
+      return glTexImage2D(imageTarget(), level(), static_cast<GLint>(pick(kInternal)), width, height, 0,
+                          pick(kFormats), GL_UNSIGNED_BYTE, pixels);
+    }
+    glTexSubImage2D(imageTarget(), level(), offset(), offset(), width & 63, height & 63, pick(kFormats),
+                    GL_UNSIGNED_BYTE, data());
   }
 
   void parameters() {
@@ -155,6 +199,12 @@ class FuzzTest : public TexturesTest {
     const Pair& p = pair();
     const GLsizei width = size(), height = size();
     const bool fits = width < 64 && height < 64;
+    constexpr GLenum kReversed[] = {GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT_4_4_4_4_REV_EXT,
+                                    GL_UNSIGNED_SHORT_1_5_5_5_REV_EXT};
+    if (chance(30)) {
+      return glReadPixels(offset(), offset(), width, height, GL_BGRA_EXT, pick(kReversed),
+                          fits ? out_.data() : nullptr);
+    }
     glReadPixels(offset(), offset(), width, height, chance(60) ? GL_RGBA : p.format,
                  chance(60) ? GL_UNSIGNED_BYTE : p.type, fits ? out_.data() : nullptr);
   }
@@ -162,7 +212,7 @@ class FuzzTest : public TexturesTest {
   void step() {
     if (chance(1)) device.log.failAfter = static_cast<int>(next() % 6);
     const GLenum capability = chance(50) ? GL_TEXTURE_2D : GL_TEXTURE_CUBE_MAP_OES;
-    switch (next() % 16) {
+    switch (next() % 19) {
       case 0:
       case 1:
       case 2:
@@ -195,6 +245,12 @@ class FuzzTest : public TexturesTest {
         return chance(70) ? glEnable(capability) : glDisable(capability);
       case 14:
         return glBindTexture(target(), name());
+      case 15:
+        return blocks();
+      case 16:
+        return storage();
+      case 17:
+        return otherTexels();
       default:
         return glDrawArrays(GL_TRIANGLES, 0, 3);
     }
