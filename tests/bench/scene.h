@@ -34,6 +34,7 @@ void addDrawScenes(Scenes& scenes);
 void addFillScenes(Scenes& scenes);
 void addStateScenes(Scenes& scenes);
 void addSkinningScenes(Scenes& scenes);
+void addTargetScenes(Scenes& scenes);
 Scenes allScenes();
 
 // Projection in pixels, modelview identity: what every scene starts from.

@@ -172,6 +172,7 @@ Scenes allScenes() {
   addFillScenes(scenes);
   addStateScenes(scenes);
   addSkinningScenes(scenes);
+  addTargetScenes(scenes);
   return scenes;
 }
 
