@@ -58,8 +58,8 @@ class TextureStorage : public GlTest {
 
   // A whole level in one color.
   static void fill(GLint level, GLsizei size, std::array<GLubyte, 4> color, GLenum target = k2D) {
-    std::vector<GLubyte> texels;
-    for (GLsizei i = 0; i < size * size; ++i) texels.insert(texels.end(), color.begin(), color.end());
+    std::vector<GLubyte> texels(static_cast<std::size_t>(size * size * 4));
+    for (std::size_t i = 0; i < texels.size(); ++i) texels[i] = color[i % 4];
     glTexSubImage2D(target, level, 0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   }
 
@@ -332,6 +332,40 @@ TEST_F(TextureStorage, ErrorsOfCopiedLevels) {
     copyLevels_(row.to, row.from, row.base, row.count);
     EXPECT_GL_ERROR(row.error) << row.what;
   }
+}
+
+// Nor does an EGLImage replace what is immutable; but it may become the source of one.
+TEST_F(TextureStorage, RefusesEglImages) {
+  NEEDS_EXTENSION("GL_OES_EGL_image");
+  COMMAND(PFNGLEGLIMAGETARGETTEXTURE2DOESPROC, EGLImageTargetTexture2DOES);
+  const auto createImage = command<PFNEGLCREATEIMAGEKHRPROC>("eglCreateImageKHR");
+  const auto destroyImage = command<PFNEGLDESTROYIMAGEKHRPROC>("eglDestroyImageKHR");
+  ASSERT_TRUE(createImage && destroyImage);
+  const GLuint source = bindNew();
+  storage_(k2D, 1, GL_RGBA8_OES, 8, 8);
+  fill(0, 8, {0, 255, 255, 255});
+  const EGLImageKHR image = createImage(display(), eglGetCurrentContext(), EGL_GL_TEXTURE_2D_KHR,
+                                        reinterpret_cast<EGLClientBuffer>(std::uintptr_t{source}), nullptr);
+  ASSERT_NE(image, EGL_NO_IMAGE_KHR);
+  bindNew();
+  storage_(k2D, 1, GL_RGBA8_OES, 8, 8);
+  EGLImageTargetTexture2DOES(k2D, image);
+  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
+  bindNew();
+  EGLImageTargetTexture2DOES(k2D, image);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  draw(8);
+  EXPECT_PIXEL(4, 4, {0, 1, 1, 1});
+  // A texture that had an image of others becomes one of its own.
+  storage_(k2D, 1, GL_RGBA8_OES, 4, 4);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  fill(0, 4, {255, 0, 0, 255});
+  draw(8);
+  EXPECT_PIXEL(4, 4, {1, 0, 0, 1});
+  glBindTexture(k2D, source);
+  draw(8);
+  EXPECT_PIXEL(4, 4, {0, 1, 1, 1});
+  EXPECT_TRUE(destroyImage(display(), image));
 }
 
 // EGL: eglBindTexImage does not replace what is immutable.
