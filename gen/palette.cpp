@@ -61,7 +61,8 @@ uint32_t paletteSize(const VertexKey& key) {
 
 Groups paletteGroups(const VertexKey& key) {
   if (!key.palette) return 0;
-  return kGroupPalette | (key.paletteNormals ? kGroupLighting : 0);  // RESCALE_NORMAL
+  const Groups rescaled = kGroupLighting;  // RESCALE_NORMAL
+  return kGroupPalette | (key.paletteNormals ? rescaled : 0);
 }
 
 void packPalette(const VertexKey& key, const State& state, std::byte* out) {

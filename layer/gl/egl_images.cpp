@@ -49,8 +49,6 @@ GLenum renderbufferFormat(const Context& c, render::Format format) {
       return GL_DEPTH_COMPONENT16_OES;
     case render::Format::Depth24:
       return GL_DEPTH_COMPONENT24_OES;
-    case render::Format::SRGB8Alpha8:
-      return GL_SRGB8_ALPHA8_EXT;
     case render::Format::Depth32:
       return GL_DEPTH_COMPONENT32_OES;
     case render::Format::Depth24Stencil8:

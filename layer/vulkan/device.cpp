@@ -55,7 +55,7 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
       return false;
     }
     volkLoadDeviceTable(&fn_, handle_);
-    }
+  }
   fn_.vkGetDeviceQueue(handle_, instance_.queueFamily, 0, &queue_);
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(instance_.physical, &properties);
