@@ -11,16 +11,25 @@ namespace render = anteroom::render;
 
 namespace {
 
+Fault wrongImageSize(GLsizei imageSize) {
+  return wrongNumber("imageSize", imageSize, "Give the bytes that the format needs for this size");
+}
+
 // |level| + 1 levels, from level 0 on.
 void specifyPaletted(Context& c, const ImageTarget& image, GLint level, GLenum internalFormat, GLsizei width,
-                     GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+                     GLsizei height, GLint border, GLsizei imageSize, const void* data, const char* command) {
   Texture& texture = boundTexture(c, image.slot);
   const PalettedFormat paletted = palettedFormat(internalFormat);
-  if (level > 0 || level <= -texture.levels()) return c.setError(GL_INVALID_VALUE);
-  if (!validSize(c, image.slot, 0, width, height) || border != 0) return c.setError(GL_INVALID_VALUE);
+  if (level > 0 || level <= -texture.levels())
+    return c.setError(GL_INVALID_VALUE,
+                      wrongNumber("level", level, "Give 0, or minus the number of levels after the first"),
+                      command);
+  if (!validSize(c, image.slot, 0, width, height) || border != 0)
+    return c.setError(GL_INVALID_VALUE, wrongSize(width, height, border), command);
   const int levels = 1 - level;
-  if (imageSize != palettedSize(paletted, width, height, levels)) return c.setError(GL_INVALID_VALUE);
-  if (texture.immutable()) return c.setError(GL_INVALID_OPERATION);
+  if (imageSize != palettedSize(paletted, width, height, levels))
+    return c.setError(GL_INVALID_VALUE, wrongImageSize(imageSize), command);
+  if (texture.immutable()) return c.setError(GL_INVALID_OPERATION, immutable(), command);
 
   std::array<std::unique_ptr<std::byte[]>, 32> texels;
   const std::byte* indices = static_cast<const std::byte*>(data) + (data ? paletted.paletteBytes() : 0);
@@ -30,40 +39,48 @@ void specifyPaletted(Context& c, const ImageTarget& image, GLint level, GLenum i
     if (w == 0 || h == 0) break;
     std::unique_ptr<std::byte[]>& decoded = texels[static_cast<size_t>(i)];
     decoded = allocateTexels(w, h, paletted.entry, false);
-    if (!decoded) return c.setError(GL_OUT_OF_MEMORY);
+    if (!decoded) return c.setError(GL_OUT_OF_MEMORY, {}, command);
     decodePaletted(paletted, data, indices, static_cast<size_t>(w) * static_cast<size_t>(h), decoded.get());
     indices += paletted.levelBytes(w, h);
   }
   for (int i = 0; i < levels; ++i) {
     if (!texture.specify(c, image.face, i, sizeAt(width, i), sizeAt(height, i), internalFormat,
                          paletted.entry, std::move(texels[static_cast<size_t>(i)]))) {
-      return c.setError(GL_OUT_OF_MEMORY);
+      return c.setError(GL_OUT_OF_MEMORY, {}, command);
     }
   }
 }
 
 void specifyBlocks(Context& c, const ImageTarget& image, GLint level, const CompressedFormat& format,
-                   GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data) {
+                   GLsizei width, GLsizei height, GLint border, GLsizei imageSize, const void* data,
+                   const char* command) {
   Texture& texture = boundTexture(c, image.slot);
-  if (!validLevel(texture, level) || !validSize(c, image.slot, level, width, height)) {
-    return c.setError(GL_INVALID_VALUE);
-  }
-  if (border != 0) return c.setError(format.errors.border);
+  if (!validLevel(texture, level))
+    return c.setError(GL_INVALID_VALUE,
+                      wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"),
+                      command);
+  if (!validSize(c, image.slot, level, width, height))
+    return c.setError(GL_INVALID_VALUE, wrongSize(width, height, 0), command);
+  if (border != 0) return c.setError(format.errors.border, wrongSize(width, height, border), command);
   if (!compressible(format, width, height)) {
     // IMG_texture_compression_pvrtc restates the error of section 3.7.1.
-    return c.setError(format.decodeBlock ? GL_INVALID_OPERATION : GL_INVALID_VALUE);
+    return c.setError(format.decodeBlock ? GL_INVALID_OPERATION : GL_INVALID_VALUE,
+                      wrongNumber("width", width,
+                                  "Give a size that the format can have, such as a square of a power of two"),
+                      command);
   }
-  if (imageSize != compressedSize(format, width, height)) return c.setError(GL_INVALID_VALUE);
-  if (texture.immutable()) return c.setError(GL_INVALID_OPERATION);
+  if (imageSize != compressedSize(format, width, height))
+    return c.setError(GL_INVALID_VALUE, wrongImageSize(imageSize), command);
+  if (texture.immutable()) return c.setError(GL_INVALID_OPERATION, immutable(), command);
 
   std::unique_ptr<std::byte[]> texels;
   if (data && width > 0 && height > 0) {
     texels = allocateTexels(width, height, format.decoded, false);
-    if (!texels) return c.setError(GL_OUT_OF_MEMORY);
+    if (!texels) return c.setError(GL_OUT_OF_MEMORY, {}, command);
     decodeCompressed(format, data, width, height, texels.get());
   }
   if (!texture.specify(c, image.face, level, width, height, format.name, format.decoded, std::move(texels))) {
-    c.setError(GL_OUT_OF_MEMORY);
+    c.setError(GL_OUT_OF_MEMORY, {}, command);
   }
 }
 
@@ -90,12 +107,15 @@ GL_API void GL_APIENTRY glCompressedTexImage2D(GLenum target, GLint level, GLenu
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount || !isCompressed(internalformat)) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
+  if (!isCompressed(internalformat))
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("internalformat", internalformat, "Use one of COMPRESSED_TEXTURE_FORMATS"));
   ShareLock lock(*c->group);
   if (const CompressedFormat* format = compressedFormat(internalformat)) {
-    return specifyBlocks(*c, image, level, *format, width, height, border, imageSize, data);
+    return specifyBlocks(*c, image, level, *format, width, height, border, imageSize, data, __func__);
   }
-  specifyPaletted(*c, image, level, internalformat, width, height, border, imageSize, data);
+  specifyPaletted(*c, image, level, internalformat, width, height, border, imageSize, data, __func__);
 }
 
 GL_API void GL_APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset,
@@ -104,20 +124,28 @@ GL_API void GL_APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GL
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM);
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
-  if (!validLevel(texture, level) || width < 0 || height < 0 || imageSize < 0) {
-    return c->setError(GL_INVALID_VALUE);
-  }
+  if (!validLevel(texture, level))
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, wrongSize(width, height, 0));
+  if (imageSize < 0) return c->setError(GL_INVALID_VALUE, wrongImageSize(imageSize));
   const TextureLevel& t = texture.at(image.face, level);
   const CompressedFormat* blocks = compressedFormat(format);
   // Paletted formats take no sub-images (section 3.7.4).
-  if (!blocks || t.internalFormat != format) return c->setError(GL_INVALID_OPERATION);
-  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE);
+  if (!blocks || t.internalFormat != format)
+    return c->setError(
+        GL_INVALID_OPERATION,
+        wrongEnum("format", format, "Use the format of the level; paletted ones take no parts"));
+  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outsideLevel());
   const render::Rect part{xoffset, yoffset, width, height};
-  if (!replaceable(*blocks, t, part)) return c->setError(GL_INVALID_OPERATION);
-  if (imageSize != compressedSize(*blocks, width, height)) return c->setError(GL_INVALID_VALUE);
+  if (!replaceable(*blocks, t, part))
+    return c->setError(GL_INVALID_OPERATION, wrongState("The format does not let this part be replaced",
+                                                        "Replace whole blocks, or the whole level"));
+  if (imageSize != compressedSize(*blocks, width, height))
+    return c->setError(GL_INVALID_VALUE, wrongImageSize(imageSize));
   if (!data || width == 0 || height == 0) return;
 
   const std::unique_ptr<std::byte[]> texels = allocateTexels(width, height, blocks->decoded, false);

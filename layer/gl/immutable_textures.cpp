@@ -34,19 +34,30 @@ GL_API void GL_APIENTRY glTexStorage2DEXT(GLenum target, GLsizei levels, GLenum 
   const TextureSlot slot = bindingSlot(target);
   const render::Format format = storageFormat(internalformat);
   if ((slot != kSlot2D && slot != kSlotCube) || format == render::Format::None) {
-    return c->setError(GL_INVALID_ENUM);
+    const bool known = slot == kSlot2D || slot == kSlotCube;
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum(known ? "internalformat" : "target", known ? internalformat : target,
+                  "Use TEXTURE_2D or TEXTURE_CUBE_MAP_OES, and a sized format such as RGBA8_OES"));
   }
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, slot);
   if (levels < 1 || width < 1 || height < 1 || !validSize(*c, slot, 0, width, height)) {
-    return c->setError(GL_INVALID_VALUE);
+    return c->setError(GL_INVALID_VALUE, levels < 1 ? wrongNumber("levels", levels, "Give one level or more")
+                                                    : wrongSize(width, height, 0));
   }
   const CompressedFormat* blocks = compressedFormat(internalformat);
   const int most = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
-  if (texture.name == 0 || texture.immutable() || levels > most) return c->setError(GL_INVALID_OPERATION);
+  if (texture.name == 0 || texture.immutable() || levels > most)
+    return c->setError(GL_INVALID_OPERATION,
+                       levels > most
+                           ? wrongNumber("levels", levels, "Give log2 of the larger size and 1 at most")
+                           : wrongState("The texture is the default one or immutable", "Bind a new texture"));
   for (int i = 0; blocks && i < levels; ++i) {
     const bool fits = compressible(*blocks, std::max(width >> i, 1), std::max(height >> i, 1));
-    if (!fits) return c->setError(GL_INVALID_OPERATION);
+    if (!fits)
+      return c->setError(GL_INVALID_OPERATION,
+                         wrongNumber("width", width, "Give a size whose levels the format can have"));
   }
   texture.store(*c, levels, width, height, internalformat, format);
 }
@@ -55,20 +66,27 @@ GL_API void GL_APIENTRY glCopyTextureLevelsAPPLE(GLuint destinationTexture, GLui
                                                  GLint sourceBaseLevel, GLsizei sourceLevelCount) {
   Context* c = current();
   if (!c) return;
-  if (destinationTexture == 0 || sourceTexture == 0) return c->setError(GL_INVALID_VALUE);
+  if (destinationTexture == 0 || sourceTexture == 0)
+    return c->setError(GL_INVALID_VALUE,
+                       wrongState("One of the textures is 0", "Give two textures of glGenTextures"));
   ShareLock lock(*c->group);
   const std::shared_ptr<Texture> to = c->group->textures.find(destinationTexture);
   const std::shared_ptr<Texture> from = c->group->textures.find(sourceTexture);
   if (!to || !from || !to->immutable() || !from->immutable() || to->slot != from->slot ||
       to->at(0, 0).internalFormat != from->at(0, 0).internalFormat) {
-    return c->setError(GL_INVALID_OPERATION);
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongState("The textures are not immutable, or differ in target or format",
+                                  "Make both with glTexStorage2DEXT alike"));
   }
   if (sourceBaseLevel < 0 || sourceBaseLevel >= from->immutableLevels() || sourceLevelCount < 1 ||
       sourceLevelCount > from->immutableLevels() - sourceBaseLevel) {
-    return c->setError(GL_INVALID_VALUE);
+    return c->setError(GL_INVALID_VALUE,
+                       wrongNumber("sourceBaseLevel", sourceBaseLevel, "Give levels that the source has"));
   }
   const int first = matchingLevel(*to, *from, sourceBaseLevel, sourceLevelCount);
-  if (first < 0) return c->setError(GL_INVALID_OPERATION);
+  if (first < 0)
+    return c->setError(GL_INVALID_OPERATION, wrongState("The destination has no levels of these sizes",
+                                                        "Make it with the levels that are copied"));
   for (int i = 0; to != from && i < sourceLevelCount; ++i) {
     if (!to->copyLevel(*c, first + i, *from, sourceBaseLevel + i)) return c->setError(GL_OUT_OF_MEMORY);
   }

@@ -101,6 +101,10 @@ void rotate(double angle, double x, double y, double z) {
   multiply(*c, r);
 }
 
+Fault noPaletteStack() {
+  return wrongState("Matrices of the palette have no stack", "Set another matrix mode before");
+}
+
 Fault emptyVolume() {
   return wrongState("Two opposite planes are the same",
                     "Give a left other than right, a bottom other than top, a near other than far");
@@ -232,7 +236,7 @@ GL_API void GL_APIENTRY glPushMatrix(void) {
   if (!c) return;
   if (c->matrixMode == GL_MODELVIEW) return push(*c, c->modelviewStack);
   if (c->matrixMode == GL_PROJECTION) return push(*c, c->projectionStack);
-  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_OVERFLOW);  // it has no stack
+  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_OVERFLOW, noPaletteStack());
   push(*c, c->textureStacks[c->activeTexture]);
 }
 
@@ -241,14 +245,17 @@ GL_API void GL_APIENTRY glPopMatrix(void) {
   if (!c) return;
   if (c->matrixMode == GL_MODELVIEW) return pop(*c, c->modelviewStack);
   if (c->matrixMode == GL_PROJECTION) return pop(*c, c->projectionStack);
-  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_UNDERFLOW);
+  if (c->matrixMode == GL_MATRIX_PALETTE_OES) return c->setError(GL_STACK_UNDERFLOW, noPaletteStack());
   pop(*c, c->textureStacks[c->activeTexture]);
 }
 
 GL_API void GL_APIENTRY glCurrentPaletteMatrixOES(GLuint index) {
   Context* c = current();
   if (!c) return;
-  if (index >= gen::kPaletteMatrices) return c->setError(GL_INVALID_VALUE);
+  if (index >= gen::kPaletteMatrices)
+    return c->setError(
+        GL_INVALID_VALUE,
+        wrongNumber("index", index, "Give an index below the value of MAX_PALETTE_MATRICES_OES"));
   c->currentPaletteMatrix = static_cast<int>(index);
 }
 

@@ -38,17 +38,6 @@ Format copiedFormat(Format framebuffer, GLenum internalFormat) {
   return formatOf(internalFormat, GL_UNSIGNED_BYTE);
 }
 
-Fault wrongSize(GLsizei width, GLsizei height, GLint border) {
-  if (border != 0) return wrongNumber("border", border, "Give 0");
-  if (width >= 0 && height >= 0 && height > width)
-    return wrongNumber("height", height, "Give a size up to MAX_TEXTURE_SIZE at level 0; faces are square");
-  return wrongNumber(height < 0 ? "height" : "width", height < 0 ? height : width,
-                     "Give a size from 0 to MAX_TEXTURE_SIZE at level 0; faces are square");
-}
-Fault outside() {
-  return wrongState("The rectangle does not lie inside the level",
-                    "Keep xoffset + width and yoffset + height within its size");
-}
 Fault cannotCopy() {
   return wrongState("The framebuffer lacks components of the texture, or the level takes none",
                     "Copy to a format with the framebuffer's components or fewer (table 3.9), of a level "
@@ -63,10 +52,7 @@ GL_API void GL_APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalf
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   const GLenum internal = static_cast<GLenum>(internalformat);
@@ -102,10 +88,7 @@ GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffse
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   if (!validLevel(texture, level))
@@ -125,7 +108,7 @@ GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffse
                        wrongState("The level was never specified, is compressed, or has another format",
                                   "Use the format that glTexImage2D gave it"));
   }
-  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outside());
+  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outsideLevel());
 
   const PixelRows rows{pixels, rowPitch(width, given, c->unpackAlignment), given};
   const render::Rect rect{xoffset, yoffset, width, height};
@@ -137,10 +120,7 @@ GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum inte
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   if (const CompressedFormat* blocks = compressedFormat(internalformat)) {
@@ -171,10 +151,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   Context* c = current();
   if (!c) return;
   const ImageTarget image = imageTarget(target);
-  if (image.slot == kSlotCount)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_2D, or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"));
+  if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   if (!validLevel(texture, level))
@@ -188,7 +165,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
       !canCopy(c->readFramebuffer, t.internalFormat)) {
     return c->setError(GL_INVALID_OPERATION, cannotCopy());
   }
-  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outside());
+  if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outsideLevel());
 
   const render::Rect rect{x, y, width, height};
   if (!texture.replaceFromFramebuffer(*c, image.face, level, xoffset, yoffset, rect)) {
