@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "room/light_bake.h"
 #include "room/materials.h"
 #include "room/noise.h"
 
@@ -101,12 +102,7 @@ void Cellar::addWall(const room::Texture& base, double extent, dvec3 origin, dve
   const bool floor = wall.normal.y > 0.5;
   wall.lightmap = room::makeTexture(light_.lightmap(floor ? 256 : 128, floor ? 256 : 64, origin, a, b),
                                     room::Filter::Linear, GL_CLAMP_TO_EDGE);
-  // Row 0 of the matrix gives s = dot(p - origin, a) / |a|^2, row 1 t.
-  glm::dmat4 rows(0.0);
-  rows[0] = glm::dvec4(a, -glm::dot(a, origin)) / glm::dot(a, a);
-  rows[1] = glm::dvec4(b, -glm::dot(b, origin)) / glm::dot(b, b);
-  rows[3] = glm::dvec4(0, 0, 0, 1);
-  wall.toLightmap = glm::transpose(rows);
+  wall.toLightmap = room::rectangleCoordinates(origin, a, b);
 }
 
 void Cellar::addGlowing(const room::Texture& base, const room::MeshData& data,

@@ -11,6 +11,7 @@
 
 #include "bloom.h"
 #include "chapel.h"
+#include "room/passes.h"
 #include "room/transform.h"
 
 namespace postprocessing {
@@ -32,15 +33,6 @@ void enableTexture(int unit, bool enabled) {
   }
 }
 
-// RGB = scale * (texture op previous).
-void combine(GLenum op, float scale) {
-  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_COMBINE);
-  glTexEnvi(GL_TEXTURE_ENV, GL_COMBINE_RGB, static_cast<GLint>(op));
-  glTexEnvi(GL_TEXTURE_ENV, GL_SRC0_RGB, GL_TEXTURE);
-  glTexEnvi(GL_TEXTURE_ENV, GL_SRC1_RGB, GL_PREVIOUS);
-  glTexEnvf(GL_TEXTURE_ENV, GL_RGB_SCALE, scale);
-}
-
 bool shines(const Part& part) {
   return part.surface == Surface::Glass || part.surface == Surface::Flame || part.surface == Surface::Dust;
 }
@@ -50,13 +42,6 @@ void addLight() {
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   glDepthMask(GL_FALSE);
-}
-
-// Of the active texture unit.
-void loadTextureMatrix(const glm::dmat4& m) {
-  glMatrixMode(GL_TEXTURE);
-  room::loadMatrix(m);
-  glMatrixMode(GL_MODELVIEW);
 }
 
 class Postprocessing final : public room::Demo {
@@ -138,24 +123,21 @@ void Postprocessing::drawScene() const {
     enableTexture(1 - unit, floor);
     if (floor) {
       chapel_->sunOnFloor().bind();
-      combine(GL_ADD, 1);
+      room::combine(GL_ADD, GL_TEXTURE, GL_PREVIOUS);
       part.mesh->bindPositionsAsTexCoords();
-      loadTextureMatrix(Chapel::floorProjection());
+      room::loadTextureMatrix(0, Chapel::floorProjection());
     }
     enableTexture(unit, part.texture != nullptr);
     if (part.texture != nullptr) {
       part.texture->bind();
-      combine(GL_MODULATE, shines(part) ? 1 : static_cast<float>(kLightScale));
+      room::combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, shines(part) ? 1 : static_cast<float>(kLightScale));
       part.mesh->bindTexCoords();
     }
     if (part.surface == Surface::Dust) addLight();
     part.mesh->bindPositions();
     part.mesh->bindColors();
     part.mesh->draw();
-    if (floor) {
-      glActiveTexture(GL_TEXTURE0);
-      loadTextureMatrix(glm::dmat4(1.0));
-    }
+    if (floor) room::loadTextureMatrix(0, glm::dmat4(1.0));
   }
   glDepthMask(GL_TRUE);
   glDisable(GL_BLEND);
