@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "counters.h"
 #include "room/context.h"
@@ -58,18 +59,40 @@ class Output {
   std::unique_ptr<room::ContactSheet> sheet_;
 };
 
-void printStats(const std::string& what, const Counters& c, double frames, double milliseconds) {
-  fmt::print("{:<24} {:8.1f} {:10.0f} {:7.1f} {:9.1f} {:9.1f} {:8.1f} {:11.1f} {:9.2f}\n", what,
-             static_cast<double>(c.draws) / frames, static_cast<double>(c.vertices) / frames,
-             static_cast<double>(c.clears) / frames, static_cast<double>(c.textureBinds) / frames,
-             static_cast<double>(c.matrixLoads) / frames, static_cast<double>(c.uploads) / frames,
-             static_cast<double>(c.uploadedBytes) / frames / 1024, milliseconds / frames);
-}
+// What the program has asked for and what the implementation has done, from one moment on.
+class Meter {
+ public:
+  explicit Meter(const room::Context& context)
+      : context_(context), asked_(counted()), done_(context.counters()) {}
 
-void printStatsHeading() {
-  fmt::print("{:<24} {:>8} {:>10} {:>7} {:>9} {:>9} {:>8} {:>11} {:>9}\n", "a frame", "draws", "vertices",
-             "clears", "tex.binds", "matrices", "uploads", "KiB of them", "ms");
-}
+  void print(const std::string& what, double frames, double milliseconds) const {
+    const Counters c = counted() - asked_;
+    const auto each = [frames](std::uint64_t count) { return static_cast<double>(count) / frames; };
+    fmt::print("{:<24} {:9.2f} {:8.1f} {:10.0f} {:7.1f} {:9.1f} {:8.1f} {:9.1f}", what, milliseconds / frames,
+               each(c.draws), each(c.vertices), each(c.clears), each(c.textureBinds), each(c.uploads),
+               each(c.uploadedBytes) / 1024);
+    const std::optional<room::ImplementationCounters> now = context_.counters();
+    if (now && done_) {
+      const room::ImplementationCounters d = *now - *done_;
+      fmt::print(" | {:8.1f} {:10.2f} {:9.2f} {:9.1f}", each(d.draws), each(d.pipelines), each(d.compiles),
+                 each(d.uploadedBytes) / 1024);
+    }
+    fmt::print("\n");
+  }
+
+  void printHeading() const {
+    fmt::print("{:<24} {:>9} {:>8} {:>10} {:>7} {:>9} {:>8} {:>9}", "a frame, as it is asked", "ms", "draws",
+               "vertices", "clears", "tex.binds", "uploads", "KiB");
+    fmt::print("{}\n", done_ ? fmt::format(" | {:>8} {:>10} {:>9} {:>9}", "draws", "pipelines", "compiles",
+                                           "KiB of tex.")
+                             : " | the implementation does not tell what it does");
+  }
+
+ private:
+  const room::Context& context_;
+  Counters asked_;
+  std::optional<room::ImplementationCounters> done_;
+};
 
 // Draws the frames of one stage to files.
 void renderStage(room::Demo& demo, const room::Context& context, const std::string& stem,
@@ -77,7 +100,7 @@ void renderStage(room::Demo& demo, const room::Context& context, const std::stri
   const FrameRange range = parseFrames(options.frames);
   Output output(options, stem);
   room::Progress progress(stem, range.count());
-  const Counters before = counted();
+  const Meter meter(context);
   Clock::duration drawing{};
   for (int frame = range.first; frame <= range.last; ++frame) {
     const room::View view{context.width(), context.height(), options.time + frame / options.fps};
@@ -92,8 +115,7 @@ void renderStage(room::Demo& demo, const room::Context& context, const std::stri
   }
   output.finish();
   if (options.stats) {
-    printStats(stem, counted() - before, range.count(),
-               std::chrono::duration<double, std::milli>(drawing).count());
+    meter.print(stem, range.count(), std::chrono::duration<double, std::milli>(drawing).count());
   }
 }
 
@@ -124,14 +146,14 @@ void render(const room::DemoEntry& entry, const Options& options) {
   const room::Context context(size.width * fine, size.height * fine, options.samples);
   const std::unique_ptr<room::Demo> demo = entry.make();  // after the context, so that it goes before it
   demo->configure(options.settings);
-  const Counters before = counted();
+  const Meter meter(context);
   const auto begin = Clock::now();
   demo->setup();
   room::checkErrors(fmt::format("the setup of {}", entry.name));
   if (options.stats) {
-    printStatsHeading();
-    printStats(fmt::format("{}, setup", entry.name), counted() - before, 1,
-               std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    meter.printHeading();
+    meter.print(fmt::format("{}, setup", entry.name), 1,
+                std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   }
   for (std::string_view stage : stages) {
     const bool finished = stage == demo->stages().back();

@@ -113,6 +113,24 @@ void Context::close() {
   context_ = EGL_NO_CONTEXT;
 }
 
+std::optional<ImplementationCounters> Context::counters() const {
+  if (!listed(eglQueryString(display_, EGL_EXTENSIONS), "EGL_ANTEROOM_context_counters")) return std::nullopt;
+  std::array<EGLint, 4> values{};
+  constexpr EGLint kFirst = 0x3FE0;  // draws, pipelines, compiles, bytes uploaded
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (eglQueryContext(display_, context_, kFirst + static_cast<EGLint>(i), &values[i]) != EGL_TRUE)
+      return std::nullopt;
+  }
+  const auto at = [&](std::size_t i) { return static_cast<std::uint32_t>(values[i]); };
+  return ImplementationCounters{at(0), at(1), at(2), at(3)};
+}
+
+ImplementationCounters operator-(const ImplementationCounters& a, const ImplementationCounters& b) {
+  const auto since = [](std::uint32_t now, std::uint32_t before) { return (now - before) & 0x7FFFFFFFU; };
+  return {since(a.draws, b.draws), since(a.pipelines, b.pipelines), since(a.compiles, b.compiles),
+          since(a.uploadedBytes, b.uploadedBytes)};
+}
+
 bool hasExtension(std::string_view name) {
   return listed(reinterpret_cast<const char*>(glGetString(GL_EXTENSIONS)), name);
 }

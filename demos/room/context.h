@@ -3,10 +3,21 @@
 
 #include <EGL/egl.h>
 
+#include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 namespace room {
+
+// What the implementation has done so far for the current context, modulo 2^31.
+struct ImplementationCounters {
+  std::uint32_t draws = 0;
+  std::uint32_t pipelines = 0;
+  std::uint32_t compiles = 0;
+  std::uint32_t uploadedBytes = 0;
+};
+ImplementationCounters operator-(const ImplementationCounters& a, const ImplementationCounters& b);
 
 // Owns a display connection, a pbuffer and a context, current on the creating thread.
 // Throws std::runtime_error with the EGL error when no display or no config will do.
@@ -21,6 +32,8 @@ class Context {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
+  // By EGL_ANTEROOM_context_counters; none where the implementation does not tell.
+  std::optional<ImplementationCounters> counters() const;
 
  private:
   bool open(EGLDisplay display, int samples);

@@ -3,11 +3,21 @@
 #include <EGL/eglext.h>
 
 #include "layer/egl/attributes.h"
+#include "layer/egl/counters.h"
 #include "layer/egl/current.h"
 #include "layer/egl/display.h"
 
 namespace anteroom::egl {
 namespace {
+
+EGLint counter(Context& context, EGLint attribute) {
+  const render::Stats& stats = gl::rendererOf(*context.gl).stats();
+  const uint64_t value = attribute == EGL_DRAWS_ANTEROOM       ? stats.draws
+                         : attribute == EGL_PIPELINES_ANTEROOM ? stats.pipelinesCreated
+                         : attribute == EGL_COMPILES_ANTEROOM  ? stats.shadersCompiled
+                                                               : stats.bytesUploaded;
+  return static_cast<EGLint>(value & 0x7FFFFFFF);
+}
 
 void setFlags(ContextAttributes& attributes, EGLAttrib flags) {
   // Forward-compatible and robust contexts are OpenGL's alone by EGL_KHR_create_context.
@@ -139,7 +149,9 @@ EGLBoolean EGLAPIENTRY eglQueryContext(EGLDisplay dpy, EGLContext ctx, EGLint at
         *value = renderBuffer(*context);
         break;
       default:
-        throw Error{EGL_BAD_ATTRIBUTE};
+        require(isCounter(attribute), EGL_BAD_ATTRIBUTE);
+        require(context.get() == currentContext(), EGL_BAD_ACCESS);
+        *value = counter(*context, attribute);
     }
     return EGL_TRUE;
   });

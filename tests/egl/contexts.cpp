@@ -102,6 +102,38 @@ TEST_F(Contexts, Queries) {
   EXPECT_EQ(value, EGL_BACK_BUFFER);
 }
 
+// EGL_ANTEROOM_context_counters
+TEST_F(Contexts, CountersTellOfTheCurrentContext) {
+  constexpr EGLint kDraws = 0x3FE0, kUploadedBytes = 0x3FE3;
+  const EGLConfig config = choose();
+  const EGLContext context = createContext(config);
+  EGLint before = -1, after = -1;
+  if (!names(eglQueryString(display_, EGL_EXTENSIONS), "EGL_ANTEROOM_context_counters")) {
+    EXPECT_TRUE(onMesa());
+    EXPECT_FALSE(eglQueryContext(display_, context, kDraws, &before));
+    EXPECT_EGL_ERROR(EGL_BAD_ATTRIBUTE);
+    return;
+  }
+  EXPECT_FALSE(eglQueryContext(display_, context, kDraws, &before));
+  EXPECT_EGL_ERROR(EGL_BAD_ACCESS);
+  EXPECT_FALSE(eglQueryContext(display_, context, kUploadedBytes + 1, &before));
+  EXPECT_EGL_ERROR(EGL_BAD_ATTRIBUTE);
+  const EGLSurface surface = createPbuffer(config);
+  ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, context));
+  for (EGLint counter = kDraws; counter <= kUploadedBytes; ++counter) {
+    EXPECT_TRUE(eglQueryContext(display_, context, counter, &before));
+    EXPECT_GE(before, 0);
+  }
+  const GLfloat corners[] = {-1, -1, 1, -1, 0, 1};
+  EXPECT_TRUE(eglQueryContext(display_, context, kDraws, &before));
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glVertexPointer(2, GL_FLOAT, 0, corners);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glFinish();
+  EXPECT_TRUE(eglQueryContext(display_, context, kDraws, &after));
+  EXPECT_EQ(after, before + 1);
+}
+
 // 3.7.3
 TEST_F(Contexts, MakeCurrentErrors) {
   const EGLConfig config = choose({EGL_RED_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_DEPTH_SIZE, 24});
