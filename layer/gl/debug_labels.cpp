@@ -6,6 +6,7 @@
 
 #include "layer/gl/buffer.h"
 #include "layer/gl/debug_output.h"
+#include "layer/gl/fences.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
 
@@ -38,6 +39,8 @@ Labelled find(Context& c, GLenum type, GLuint name) {
     case GL_VERTEX_ARRAY_KHR:
     case GL_VERTEX_ARRAY_OBJECT_EXT:
       return labelled(c.vertexArrayObjects.find(name));
+    case GL_SYNC_OBJECT_APPLE:
+      return labelled(c.group->syncs.find(name));
     default:
       return {false, nullptr, nullptr};
   }
@@ -55,14 +58,16 @@ void tellDevice(Context& c, GLenum type, GLuint name, const std::string& label) 
 struct Dialect {
   GLenum noObject;  // the error
   bool ext;
+  bool pointer = false;  // ObjectPtrLabel, of sync objects alone
 };
-constexpr Dialect kKhr{GL_INVALID_VALUE, false}, kExt{GL_INVALID_OPERATION, true};
+constexpr Dialect kKhr{GL_INVALID_VALUE, false}, kExt{GL_INVALID_OPERATION, true},
+    kKhrPointer{GL_INVALID_VALUE, false, true};
 
 // KHR_debug and EXT_debug_label call some types differently: each takes its own names.
 bool isTypeOf(Dialect dialect, GLenum type) {
   if (type == GL_BUFFER_KHR || type == GL_VERTEX_ARRAY_KHR) return !dialect.ext;
   if (type == GL_BUFFER_OBJECT_EXT || type == GL_VERTEX_ARRAY_OBJECT_EXT) return dialect.ext;
-  return true;
+  return type != GL_SYNC_OBJECT_APPLE || dialect.ext || dialect.pointer;
 }
 
 // Null label: the error is set.
@@ -71,15 +76,18 @@ Labelled findFor(Context& c, Dialect dialect, GLenum type, GLuint name, const ch
   if (!found.known)
     c.setError(GL_INVALID_ENUM,
                wrongEnum(dialect.ext ? "type" : "identifier", type,
-                         dialect.ext ? "Use TEXTURE, FRAMEBUFFER_OES, RENDERBUFFER_OES, BUFFER_OBJECT_EXT or "
-                                       "VERTEX_ARRAY_OBJECT_EXT"
+                         dialect.ext ? "Use TEXTURE, FRAMEBUFFER_OES, RENDERBUFFER_OES, BUFFER_OBJECT_EXT, "
+                                       "VERTEX_ARRAY_OBJECT_EXT or SYNC_OBJECT_APPLE"
                                      : "Use TEXTURE, FRAMEBUFFER_OES, RENDERBUFFER_OES, BUFFER_KHR or "
                                        "VERTEX_ARRAY_KHR"),
                command);
   else if (!found.label)
     c.setError(dialect.noObject,
-               wrongNumber(dialect.ext ? "object" : "name", name,
-                           "Bind the name first: until then there is no object of this type"),
+               dialect.pointer
+                   ? wrongState("ptr is not the name of a sync object",
+                                "Label other objects with glObjectLabelKHR and their names")
+                   : wrongNumber(dialect.ext ? "object" : "name", name,
+                                 "Bind the name first: until then there is no object of this type"),
                command);
   return found;
 }
@@ -136,16 +144,6 @@ void getLabel(Dialect dialect, GLenum type, GLuint name, GLsizei bufSize, GLsize
   putLabel(*found.label, bufSize, length, label);
 }
 
-// ES 1.1 has no sync objects without APPLE_sync.
-void refusePointer(const char* command = __builtin_FUNCTION()) {
-  Context* c = current();
-  if (c)
-    c->setError(GL_INVALID_VALUE,
-                wrongState("ptr is not the name of a sync object",
-                           "Label other objects with glObjectLabelKHR and their names"),
-                command);
-}
-
 }  // namespace
 }  // namespace anteroom::gl
 
@@ -161,12 +159,13 @@ GL_API void GL_APIENTRY glGetObjectLabelKHR(GLenum identifier, GLuint name, GLsi
   getLabel(kKhr, identifier, name, bufSize, length, label);
 }
 
-GL_API void GL_APIENTRY glObjectPtrLabelKHR(const void*, GLsizei, const GLchar*) {
-  refusePointer();
+GL_API void GL_APIENTRY glObjectPtrLabelKHR(const void* ptr, GLsizei length, const GLchar* label) {
+  setLabel(kKhrPointer, GL_SYNC_OBJECT_APPLE, syncName(ptr), length, label);
 }
 
-GL_API void GL_APIENTRY glGetObjectPtrLabelKHR(const void*, GLsizei, GLsizei*, GLchar*) {
-  refusePointer();
+GL_API void GL_APIENTRY glGetObjectPtrLabelKHR(const void* ptr, GLsizei bufSize, GLsizei* length,
+                                               GLchar* label) {
+  getLabel(kKhrPointer, GL_SYNC_OBJECT_APPLE, syncName(ptr), bufSize, length, label);
 }
 
 GL_API void GL_APIENTRY glLabelObjectEXT(GLenum type, GLuint object, GLsizei length, const GLchar* label) {

@@ -21,11 +21,6 @@ bool Fence::wait(Context& c, uint64_t timeout) {
 
 namespace {
 
-GLuint nameOf(GLsync sync) {
-  const auto name = reinterpret_cast<uintptr_t>(sync);
-  return name <= ~GLuint{0} ? static_cast<GLuint>(name) : 0;
-}
-
 Fault noSync() {
   return wrongState("sync is not the name of a sync object",
                     "Make one with glFenceSyncAPPLE, and use it before glDeleteSyncAPPLE");
@@ -34,7 +29,7 @@ Fault noSync() {
 // Null: not a sync object.
 std::shared_ptr<SyncObject> findSync(Context& c, GLsync sync) {
   ShareLock lock(*c.group);
-  return c.group->syncs.find(nameOf(sync));
+  return c.group->syncs.find(syncName(sync));
 }
 
 // Null, and the error is set: not the name of an existing fence.
@@ -87,7 +82,7 @@ GL_API void GL_APIENTRY glDeleteSyncAPPLE(GLsync sync) {
   Context* c = current();
   if (!c || !sync) return;
   ShareLock lock(*c->group);
-  if (!c->group->syncs.remove(nameOf(sync))) c->setError(GL_INVALID_VALUE, noSync());
+  if (!c->group->syncs.remove(syncName(sync))) c->setError(GL_INVALID_VALUE, noSync());
 }
 
 // SYNC_FLUSH_COMMANDS_BIT_APPLE asks for nothing more: to insert a fence flushes.

@@ -22,7 +22,14 @@ class Fence {
 // Of a share group; its name is what GLsync points to.
 struct SyncObject {
   Fence fence;
+  std::string label;
 };
+
+// The name that a GLsync is. 0: it is none.
+inline GLuint syncName(const void* sync) {
+  const auto name = reinterpret_cast<uintptr_t>(sync);
+  return name <= ~GLuint{0} ? static_cast<GLuint>(name) : 0;
+}
 
 // NV_fence, of a context.
 struct FenceObject {

@@ -1,5 +1,4 @@
-// APPLE_sync, NV_fence, EXT_robustness and KHR_no_error: points in the stream of commands, and what contexts
-// promise.
+// APPLE_sync and NV_fence: points in the stream of commands.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -254,117 +253,24 @@ TEST_F(Fences, NvFenceErrors) {
   DeleteFencesNV(1, &name);
 }
 
-TEST_F(Fences, Robustness) {
-  NEEDS_EXTENSION("GL_EXT_robustness");
-  COMMAND(PFNGLREADNPIXELSEXTPROC, ReadnPixelsEXT);
-  COMMAND(PFNGLGETGRAPHICSRESETSTATUSEXTPROC, GetGraphicsResetStatusEXT);
-  COMMAND(PFNGLGETNUNIFORMFVEXTPROC, GetnUniformfvEXT);
-  COMMAND(PFNGLGETNUNIFORMIVEXTPROC, GetnUniformivEXT);
-  EXPECT_EQ(GetGraphicsResetStatusEXT(), GLenum{GL_NO_ERROR});
-  GLint value = -1;
-  glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_EXT, &value);
-  EXPECT_EQ(value, GL_NO_RESET_NOTIFICATION_EXT);
-  glGetIntegerv(GL_CONTEXT_ROBUST_ACCESS_EXT, &value);
-  EXPECT_EQ(value, GL_FALSE);
-
-  glClearColor(0, 1, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  glPixelStorei(GL_PACK_ALIGNMENT, 8);
-  // Two rows of three pixels: the first is padded to 16 bytes, the second is not.
-  std::uint8_t pixels[32];
-  std::fill(std::begin(pixels), std::end(pixels), std::uint8_t{7});
-  ReadnPixelsEXT(0, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE, 27, pixels);
+TEST_F(Fences, Labels) {
+  NEEDS_EXTENSION("GL_EXT_debug_label");
+  using Label = void (*)(GLenum, GLuint, GLsizei, const char*);
+  using GetLabel = void (*)(GLenum, GLuint, GLsizei, GLsizei*, char*);
+  COMMAND(Label, LabelObjectEXT);
+  COMMAND(GetLabel, GetObjectLabelEXT);
+  const GLsync sync = fence();
+  const auto name = static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(sync));
+  LabelObjectEXT(GL_SYNC_OBJECT_APPLE, name, 0, "end of the frame");
+  char text[32] = {};
+  GLsizei length = 0;
+  GetObjectLabelEXT(GL_SYNC_OBJECT_APPLE, name, sizeof text, &length, text);
+  EXPECT_STREQ(text, "end of the frame");
+  EXPECT_EQ(length, 16);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  DeleteSyncAPPLE(sync);
+  GetObjectLabelEXT(GL_SYNC_OBJECT_APPLE, name, sizeof text, &length, text);
   EXPECT_GL_ERROR(GL_INVALID_OPERATION);
-  EXPECT_EQ(pixels[1], 7);
-  ReadnPixelsEXT(0, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE, 28, pixels);
-  EXPECT_GL_ERROR(GL_NO_ERROR);
-  EXPECT_EQ(pixels[1], 255);
-  EXPECT_EQ(pixels[25], 255);
-  EXPECT_EQ(pixels[12], 7);
-  EXPECT_EQ(pixels[28], 7);
-  // Also where pixels outside the framebuffer would not be written.
-  ReadnPixelsEXT(-2, 0, 3, 2, GL_RGBA, GL_UNSIGNED_BYTE, 27, pixels);
-  EXPECT_GL_ERROR(GL_INVALID_OPERATION);
-  ReadnPixelsEXT(0, 0, 0, 2, GL_RGBA, GL_UNSIGNED_BYTE, 0, pixels);
-  EXPECT_GL_ERROR(GL_NO_ERROR);
-  ReadnPixelsEXT(0, 0, -1, 1, GL_RGBA, GL_UNSIGNED_BYTE, 4, pixels);
-  EXPECT_GL_ERROR(GL_INVALID_VALUE);
-  ReadnPixelsEXT(0, 0, 1, 1, GL_TEXTURE_2D, GL_UNSIGNED_BYTE, 4, pixels);
-  EXPECT_GL_ERROR(GL_INVALID_ENUM);
-  GLfloat number = 0;
-  GetnUniformfvEXT(1, 0, 4, &number);
-  EXPECT_GL_ERROR(GL_INVALID_VALUE);
-  GetnUniformivEXT(1, 0, 4, &value);
-  EXPECT_GL_ERROR(GL_INVALID_VALUE);
-}
-
-class ContextWith {
- public:
-  explicit ContextWith(std::vector<EGLint> attributes) {
-    attributes.push_back(EGL_NONE);
-    context_ = eglCreateContext(display(), EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
-    former_ = eglGetCurrentContext();
-    surface_ = eglGetCurrentSurface(EGL_DRAW);
-    current_ = context_ != EGL_NO_CONTEXT && eglMakeCurrent(display(), surface_, surface_, context_);
-  }
-  ~ContextWith() {
-    eglMakeCurrent(display(), surface_, surface_, former_);
-    if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display(), context_);
-  }
-  bool current() const { return current_; }
-
- private:
-  EGLContext context_, former_;
-  EGLSurface surface_;
-  bool current_;
-};
-
-TEST_F(Fences, RobustContexts) {
-  COMMAND(PFNGLGETGRAPHICSRESETSTATUSEXTPROC, GetGraphicsResetStatusEXT);
-  for (const bool core : {true, false}) {
-    const ContextWith robust({core ? EGL_CONTEXT_OPENGL_ROBUST_ACCESS : EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT,
-                              EGL_TRUE,
-                              core ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
-                                   : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
-                              EGL_LOSE_CONTEXT_ON_RESET});
-    ASSERT_TRUE(robust.current()) << core;
-    GLint value = 0;
-    glGetIntegerv(GL_CONTEXT_ROBUST_ACCESS_EXT, &value);
-    EXPECT_EQ(value, GL_TRUE);
-    glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_EXT, &value);
-    EXPECT_EQ(value, GL_LOSE_CONTEXT_ON_RESET_EXT);
-    EXPECT_EQ(GetGraphicsResetStatusEXT(), GLenum{GL_NO_ERROR});
-    // Vertices beyond a buffer's end are some values, and nothing worse.
-    GLuint buffer = 0;
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, 16, nullptr, GL_STATIC_DRAW);
-    glEnableClientState(GL_VERTEX_ARRAY);
-    glVertexPointer(2, GL_FLOAT, 0, nullptr);
-    const GLushort indices[] = {0, 30000, 65535};
-    glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_SHORT, indices);
-    glFinish();
-    EXPECT_GL_ERROR(GL_NO_ERROR);
-  }
-}
-
-TEST_F(Fences, NoErrorContexts) {
-  NEEDS_EXTENSION("GL_KHR_no_error");
-  constexpr GLenum kContextFlags = 0x821E;
-  GLint flags = -1;
-  glGetIntegerv(kContextFlags, &flags);
-  EXPECT_EQ(flags & 8, 0);
-  const ContextWith quiet({EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
-  ASSERT_TRUE(quiet.current());
-  glGetIntegerv(kContextFlags, &flags);
-  EXPECT_EQ(flags & 8, 8);
-  glEnable(GL_TEXTURE);
-  EXPECT_GL_ERROR(GL_NO_ERROR);
-  glMatrixMode(0);
-  EXPECT_GL_ERROR(GL_NO_ERROR);
-  glClearColor(0, 0, 1, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
-  EXPECT_PIXEL(3, 3, {0, 0, 1, 1});
 }
 
 }  // namespace

@@ -361,5 +361,70 @@ TEST_F(Contexts, ManyTimes) {
   }
 }
 
+// 3.7.1.5, 3.7.1.6 and EGL_EXT_create_context_robustness, by the names of each.
+TEST_F(Contexts, Robust) {
+  EXPECT_TRUE(names(eglQueryString(display_, EGL_EXTENSIONS), "EGL_EXT_create_context_robustness"));
+  const EGLConfig config = choose();
+  const EGLSurface surface = createPbuffer(config);
+  for (const bool core : {true, false}) {
+    const EGLint access = core ? EGL_CONTEXT_OPENGL_ROBUST_ACCESS : EGL_CONTEXT_OPENGL_ROBUST_ACCESS_EXT;
+    const EGLint strategy = core ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY
+                                 : EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT;
+    const EGLContext plain = createContext(config);
+    const EGLContext robust =
+        createContext(config, EGL_NO_CONTEXT, {access, EGL_TRUE, strategy, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+    ASSERT_NE(robust, EGL_NO_CONTEXT) << core;
+    if (!onMesa()) {
+      ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, robust));
+      GLint value = 0;
+      glGetIntegerv(GL_CONTEXT_ROBUST_ACCESS_EXT, &value);
+      EXPECT_EQ(value, GL_TRUE);
+      glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_EXT, &value);
+      EXPECT_EQ(value, GL_LOSE_CONTEXT_ON_RESET_EXT);
+      ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, plain));
+      glGetIntegerv(GL_CONTEXT_ROBUST_ACCESS_EXT, &value);
+      EXPECT_EQ(value, GL_FALSE);
+      glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY_EXT, &value);
+      EXPECT_EQ(value, GL_NO_RESET_NOTIFICATION_EXT);
+      EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+    }
+    // Contexts that share have the same strategy.
+    EXPECT_EQ(createContext(config, plain, {strategy, EGL_LOSE_CONTEXT_ON_RESET_EXT}), EGL_NO_CONTEXT);
+    EXPECT_EGL_ERROR(EGL_BAD_MATCH);
+    EXPECT_EQ(createContext(config, robust), EGL_NO_CONTEXT);
+    EXPECT_EGL_ERROR(EGL_BAD_MATCH);
+    EXPECT_EQ(createContext(config, EGL_NO_CONTEXT, {strategy, 7}), EGL_NO_CONTEXT);
+    EXPECT_EGL_ERROR(EGL_BAD_ATTRIBUTE);
+    // EGL_KHR_create_context_no_error: checks cannot be asked for and renounced at once.
+    EXPECT_EQ(
+        createContext(config, EGL_NO_CONTEXT, {access, EGL_TRUE, EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE}),
+        EGL_NO_CONTEXT);
+    EXPECT_EGL_ERROR(EGL_BAD_MATCH);
+  }
+}
+
+// EGL_KHR_create_context_no_error
+TEST_F(Contexts, NoError) {
+  MESA_DISAGREES("2.5", "ES 1.1 contexts have errors all the same");
+  constexpr GLenum kContextFlags = 0x821E;
+  const EGLConfig config = choose();
+  const EGLSurface surface = createPbuffer(config);
+  const EGLContext quiet = createContext(config, EGL_NO_CONTEXT, {EGL_CONTEXT_OPENGL_NO_ERROR_KHR, EGL_TRUE});
+  ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, quiet));
+  GLint flags = 0;
+  glGetIntegerv(kContextFlags, &flags);
+  EXPECT_EQ(flags, 8);
+  glEnable(GL_TEXTURE);
+  glMatrixMode(0);
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+  EXPECT_EQ(createContext(config, quiet), EGL_NO_CONTEXT);
+  EXPECT_EGL_ERROR(EGL_BAD_MATCH);
+  ASSERT_TRUE(eglMakeCurrent(display_, surface, surface, createContext(config)));
+  glGetIntegerv(kContextFlags, &flags);
+  EXPECT_EQ(flags, 0);
+  glEnable(GL_TEXTURE);
+  EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
+}
+
 }  // namespace
 }  // namespace egl_conformance
