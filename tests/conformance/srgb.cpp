@@ -161,6 +161,20 @@ TEST_F(Srgb, BlendingIsLinear) {
   gl_.bindFramebuffer(GL_FRAMEBUFFER_OES, 0);
 }
 
+// Decoded by the texture and encoded by the framebuffer, every code comes back.
+TEST_F(Srgb, CodesSurviveTheWayThroughLinearColors) {
+  std::vector<GLubyte> texels;
+  for (int i = 0; i < 256; ++i) {
+    for (const int c : {i, 255 - i, i * 7 % 256, i}) texels.push_back(static_cast<GLubyte>(c));
+  }
+  texture(GL_SRGB_ALPHA_EXT, 16, 16, texels.data());
+  useRenderbuffer(16);
+  glEnable(GL_TEXTURE_2D);
+  drawTexturedRect({}, 0, 0, 1, 1);
+  EXPECT_EQ(readImage(0, 0, 16, 16).rgba, texels);
+  gl_.bindFramebuffer(GL_FRAMEBUFFER_OES, 0);
+}
+
 // Drawn to and then sampled: the linear color comes back.
 TEST_F(Srgb, RenderedTextures) {
   for (const GLenum format : {GLenum{GL_SRGB_ALPHA_EXT}, GLenum{GL_SRGB_EXT}}) {
