@@ -16,12 +16,6 @@ namespace {
 constexpr unsigned kWorkerSeconds = 300;
 constexpr const char* kSelf = "/proc/self/exe";
 
-Environment withoutCaches(Environment environment) {
-  environment["MESA_SHADER_CACHE_DISABLE"] = "true";
-  environment["ANTEROOM_CACHE"] = "off";
-  return environment;
-}
-
 // Renders on one implementation; a crash costs its scene alone, and a new process goes on behind it.
 std::map<std::string, Result> renderScenes(const Environment& environment, const WorkerTask& task) {
   std::map<std::string, Result> results;
@@ -56,12 +50,6 @@ std::map<std::string, Result> renderScenes(const Environment& environment, const
     left.erase(std::remove(left.begin(), left.end(), begun), left.end());
   }
   return results;
-}
-
-bool wanted(const Plan& plan, const std::string& name) {
-  return plan.filters.empty() ||
-         std::any_of(plan.filters.begin(), plan.filters.end(),
-                     [&name](const std::string& part) { return name.find(part) != std::string::npos; });
 }
 
 // The measurement of anteroom-driver that bounds a scene.
@@ -135,6 +123,20 @@ std::string fileName(std::string name) {
   return name + ".png";
 }
 
+}  // namespace
+
+Environment withoutCaches(Environment environment) {
+  environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  environment["ANTEROOM_CACHE"] = "off";
+  return environment;
+}
+
+bool wanted(const Plan& plan, const std::string& name) {
+  return plan.filters.empty() ||
+         std::any_of(plan.filters.begin(), plan.filters.end(),
+                     [&name](const std::string& part) { return name.find(part) != std::string::npos; });
+}
+
 void writePictures(const Plan& plan, const Row& row, const Picture& reference) {
   if (plan.out.empty()) return;
   std::vector<Picture> pictures = {reference};
@@ -144,8 +146,6 @@ void writePictures(const Plan& plan, const Row& row, const Picture& reference) {
   }
   if (!reference.rgba.empty()) writeSideBySide(plan.out + "/" + fileName(row.name), pictures);
 }
-
-}  // namespace
 
 namespace {
 
@@ -221,6 +221,10 @@ Comparison compareAll(const Plan& plan) {
   const double lodError =
       std::max(result.driverErrors["level-of-detail"], result.driverErrors["level-of-detail-in-perspective"]);
   result.rows = Round(plan, scenes, lodError).rows(result.driverErrors);
+  if (plan.demos) {
+    std::vector<Row> demos = compareDemos(plan);
+    std::move(demos.begin(), demos.end(), std::back_inserter(result.rows));
+  }
   return result;
 }
 

@@ -42,8 +42,8 @@ struct Plan {
   Environment reference;
   std::vector<std::string> filters;  // parts of names; empty: all
   int repeats = 3;
-  bool demos = true;
-  std::string out;  // directory for pictures; empty: none
+  bool demos = false;  // frames of the demos as well
+  std::string out;     // directory for pictures; empty: none
 };
 
 // What anteroom-driver measured, by name.
@@ -56,6 +56,18 @@ struct Comparison {
 
 // Throws std::runtime_error when the driver cannot be measured.
 Comparison compareAll(const Plan& plan);
+
+// Frames of the demos: their errors away from edges, by RMS. The rooms program must be built.
+std::vector<Row> compareDemos(const Plan& plan);
+
+bool wanted(const Plan& plan, const std::string& name);
+Environment withoutCaches(Environment environment);
+// The reference, the others, then their errors, as far as the plan asks for pictures.
+void writePictures(const Plan& plan, const Row& row, const Picture& reference);
+
+// Of the extremes: whether ours is further from the reference than Mesa by more than the rounding of the
+// framebuffer.
+bool mesaIsExacter(const Row& row);
 
 // Sum of what the reader wants to know first.
 std::string asTable(const Comparison& comparison, const Plan& plan);

@@ -71,6 +71,29 @@ void sprites() {
   glTexEnvi(GL_POINT_SPRITE_OES, GL_COORD_REPLACE_OES, 1);
   star(6).draw(GL_POINTS);
 }
+// Levels of one colour each: rho is 1 for every point (3.7.7), so that only level 0 shows, whatever the size.
+template <int grey>
+Texel solid(int, int) {
+  return {grey, 255 - grey, grey / 2, 255};
+}
+void mipmappedPoints(bool sprites) {
+  texture(16, 16, solid<20>);
+  level(1, 8, 8, solid<230>);
+  level(2, 4, 4, solid<90>);
+  level(3, 2, 2, solid<160>);
+  level(4, 1, 1, solid<255>);
+  filter(GL_NEAREST_MIPMAP_LINEAR, GL_LINEAR);
+  environment(GL_REPLACE);
+  if (sprites) glEnable(GL_POINT_SPRITE_OES);
+  glTexEnvi(GL_POINT_SPRITE_OES, GL_COORD_REPLACE_OES, sprites);
+  for (int i = 0; i < 6; ++i) {
+    glPointSize(static_cast<GLfloat>(1 << i) * 0.8f);
+    Mesh point;
+    point.positions = {-0.8f + 0.3f * static_cast<float>(i), 0.1f, 0};
+    point.texCoords = {0.3f, 0.7f};
+    point.draw(GL_POINTS);
+  }
+}
 void attenuatedPoints() {
   const GLfloat attenuation[] = {0.1f, 0.2f, 0.1f};
   glPointParameterfv(GL_POINT_DISTANCE_ATTENUATION, attenuation);
@@ -135,6 +158,8 @@ void addPrimitiveScenes(Scenes& scenes) {
                                   {"points/square", "3.3", points},
                                   {"points/smooth", "3.3", smoothPoints},
                                   {"points/sprites", "OES_point_sprite", sprites},
+                                  {"points/sprites, mipmapped", "3.7.7", [] { mipmappedPoints(true); }},
+                                  {"points/mipmapped", "3.7.7", [] { mipmappedPoints(false); }},
                                   {"points/attenuated", "3.3", attenuatedPoints},
                                   {"polygons/strip", "3.5.1", strips},
                                   {"polygons/flat fan", "2.12.6", flatFan},

@@ -58,6 +58,8 @@ const std::vector<MesaRemark>& mesaRemarks() {
       {"3.2.1: a pixel's samples are combined into one colour; Mesa's pbuffer shows the first of its four",
        {"fragment/multisample"}},
       {"3.3: the distance is from the eye to the vertex; Mesa takes its depth alone", {"points/attenuated"}},
+      {"3.7.7: rho is 1 for a point sprite; Mesa takes its level of detail from the sprite's size",
+       {"points/sprites, mipmapped"}},
       {"3.3.1: coverage is the area of the circle inside the pixel; Mesa takes a ramp over the rim",
        {"points/smooth"}},
       {"3.7.8: c is 0.5 for this pair of filters; Mesa switches over at 0", {"mipmaps/switch-over at 0.5"}},
@@ -83,8 +85,13 @@ const std::vector<MesaRemark>& mesaRemarks() {
 
 constexpr Remark kDeviations[] = {
     {"coordinates/1e9 clamped",
-     "the driver converts texel coordinates to 32-bit integers before it clamps them"},
-    {"denormals/positions", "2.1.1 leaves the result open; the driver flushes denormals to 0"},
+     "2.1.1 asks for texture coordinates up to 2^10 only; beyond 2^31 texels the driver, like Mesa, converts "
+     "them to "
+     "integers before it clamps them. A clamp in every shader would cost all that is textured"},
+    {"denormals/positions",
+     "2.1.1 asks for magnitudes of 2^32 and an accuracy of 1 in 10^5, not for numbers below 10^-38; the "
+     "driver, like "
+     "Mesa, flushes them to 0"},
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -315,6 +316,72 @@ TEST_F(Extremes, FixedPointEnds) {
   expectUnharmed("fixed point");
 }
 
+// The same of every command that takes a number in fixed point: the state is the number, clamped where the
+// text clamps it, and no picture breaks.
+TEST_F(Extremes, FixedPointEndsInState) {
+  MESA_DISAGREES("4.1.4", "the alpha test's reference is kept as it is");
+  const auto get = [](GLenum name) {
+    GLfixed value = 0;
+    glGetFixedv(name, &value);
+    return value;
+  };
+  for (GLfixed v : {std::numeric_limits<GLfixed>::max(), std::numeric_limits<GLfixed>::min(), 1, -1}) {
+    const GLfixed values[] = {v, v, v, v}, clamped = std::clamp(v, 0, 65536);
+    const bool positive = v > 0;
+    const auto expectError = [&](bool legal, const char* what) {
+      EXPECT_EQ(glGetError(), legal ? GL_NO_ERROR : GL_INVALID_VALUE) << what << ' ' << v;
+    };
+    glClearDepthx(v);
+    EXPECT_EQ(get(GL_DEPTH_CLEAR_VALUE), clamped);
+    glAlphaFuncx(GL_LESS, v);
+    EXPECT_EQ(get(GL_ALPHA_TEST_REF), clamped);
+    glClearColorx(v, v, v, v);
+    glDepthRangex(v, v);
+    glSampleCoveragex(v, GL_TRUE);
+    EXPECT_EQ(get(GL_SAMPLE_COVERAGE_VALUE), clamped);
+    glPolygonOffsetx(v, v);
+    // 32767 and 65535/65536 do not fit float32 any more: the nearest that does is 32768.
+    EXPECT_NEAR(get(GL_POLYGON_OFFSET_UNITS), v, 64);
+    glNormal3x(v, v, v);
+    glMultiTexCoord4x(GL_TEXTURE0, v, v, v, v);
+    glClipPlanex(GL_CLIP_PLANE0, values);
+    expectError(true, "state of any value");
+    glLineWidthx(v);
+    expectError(positive, "line width");
+    glPointSizex(v);
+    expectError(positive, "point size");
+    glPointParameterx(GL_POINT_SIZE_MIN, v);
+    expectError(positive, "point size min");
+    glFogx(GL_FOG_DENSITY, v);
+    expectError(positive, "fog density");
+    glFogx(GL_FOG_START, v);
+    glFogx(GL_FOG_END, v);
+    glFogxv(GL_FOG_COLOR, values);
+    glLightxv(GL_LIGHT0, GL_POSITION, values);
+    glLightxv(GL_LIGHT0, GL_DIFFUSE, values);
+    glLightxv(GL_LIGHT0, GL_SPOT_DIRECTION, values);
+    glMaterialxv(GL_FRONT_AND_BACK, GL_DIFFUSE, values);
+    glLightModelxv(GL_LIGHT_MODEL_AMBIENT, values);
+    glTexEnvxv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, values);
+    expectError(true, "colors and vectors");
+    glLightx(GL_LIGHT0, GL_LINEAR_ATTENUATION, v);
+    expectError(positive, "attenuation");
+    glLightx(GL_LIGHT0, GL_SPOT_EXPONENT, v);
+    expectError(v == 1, "spot exponent");
+    glMaterialx(GL_FRONT_AND_BACK, GL_SHININESS, v);
+    expectError(v == 1, "shininess");
+    glRotatex(v, v, v, v);
+    glMultMatrixx(std::array<GLfixed, 16>{v, 0, 0, 0, 0, v, 0, 0, 0, 0, v, 0, v, v, v, 65536}.data());
+    expectError(true, "matrices");
+    for (GLenum name : {GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_CLIP_PLANE0}) glEnable(name);
+    drawRect();
+    for (GLenum name : {GL_LIGHTING, GL_LIGHT0, GL_FOG, GL_CLIP_PLANE0}) glDisable(name);
+    glDepthRangex(0, 65536);
+    glLoadIdentity();
+    expectUnharmed("fixed-point state");
+  }
+}
+
 // Triangles of 10^-3 and 10^5 pixels.
 TEST_F(Extremes, TinyAndHugeTriangles) {
   glEnableClientState(GL_VERTEX_ARRAY);
@@ -379,20 +446,23 @@ TEST_F(ExtremesOnOnePixel, Everything) {
   EXPECT_GL_ERROR(GL_NO_ERROR);
 }
 
-// A framebuffer of the largest side there is, one pixel high: both ends are right.
-TEST_F(Extremes, WideFramebuffer) {
+// A framebuffer of the largest side there is, one pixel high or wide: both ends are right.
+TEST_F(Extremes, LargestFramebuffers) {
   GLint most[2] = {};
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, most);
   const int side = std::min(most[0], 16384);
-  Session wide(SurfaceRequest{side, 1});
-  ASSERT_TRUE(wide.makeCurrent());
-  glClear(GL_COLOR_BUFFER_BIT);
-  glColor4f(0, 1, 0, 1);
-  drawRect({-1, -1, 0, 1});
-  EXPECT_TRUE(near(readImage(0, 0, 1, 1).at(0, 0), kGreen));
-  EXPECT_TRUE(near(readImage(side / 2 - 1, 0, 1, 1).at(0, 0), kGreen));
-  EXPECT_TRUE(near(readImage(side / 2, 0, 1, 1).at(0, 0), kBlack));
-  EXPECT_TRUE(near(readImage(side - 1, 0, 1, 1).at(0, 0), kBlack));
+  for (const bool high : {false, true}) {
+    const Session session(high ? SurfaceRequest{1, side} : SurfaceRequest{side, 1});
+    ASSERT_TRUE(session.makeCurrent());
+    glClear(GL_COLOR_BUFFER_BIT);
+    glColor4f(0, 1, 0, 1);
+    drawRect(high ? Rect{-1, -1, 1, 0} : Rect{-1, -1, 0, 1});
+    const auto at = [high](int i) { return readImage(high ? 0 : i, high ? i : 0, 1, 1).at(0, 0); };
+    EXPECT_TRUE(near(at(0), kGreen));
+    EXPECT_TRUE(near(at(side / 2 - 1), kGreen));
+    EXPECT_TRUE(near(at(side / 2), kBlack));
+    EXPECT_TRUE(near(at(side - 1), kBlack));
+  }
   SetUp();
 }
 

@@ -139,15 +139,16 @@ std::vector<Argument> everyArgument(std::span<const GLenum> functions, std::span
   return list;
 }
 
-// Tables 3.17 x 3.18 and 3.19: every argument of every function runs over every source and operand. A row
-// tests an RGB and an alpha argument at once, since each state mix is a program to compile.
+// Tables 3.17 x 3.18 and 3.19: every argument of every function runs over every source, operand and scale. A
+// row tests an RGB and an alpha argument at once, since each state mix is a program to compile.
 TEST_F(TextureEnvironment, EveryArgument) {
   CombinerBench bench;
   constexpr double scales[] = {1, 2, 4};
   const std::vector<Argument> colors = everyArgument(kColorFunctions, kColorOperands);
   const std::vector<Argument> alphas = everyArgument(kAlphaFunctions, kAlphaOperands);
   ASSERT_GT(colors.size(), alphas.size());
-  for (std::size_t i = 0; i < colors.size(); ++i) {
+  for (std::size_t row = 0; row < colors.size() * std::size(scales); ++row) {
+    const std::size_t i = row / std::size(scales);
     Combiner c;
     for (std::size_t half = 0; half < 2; ++half) {
       const Argument& argument = half == 0 ? colors[i] : alphas[i % alphas.size()];
@@ -156,8 +157,8 @@ TEST_F(TextureEnvironment, EveryArgument) {
       c.operand[half][argument.slot] = argument.operand;
     }
     // DOT3_RGBA ignores the alpha combiner, which that row then leaves to another (the list wraps around).
-    c.scale[0] = scales[i % 3];
-    c.scale[1] = scales[i / 3 % 3];
+    c.scale[0] = scales[row % 3];
+    c.scale[1] = scales[(row + i) % 3];
     bench.add(c);
   }
 }

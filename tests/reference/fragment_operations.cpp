@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string_view>
 
 #include "tests/reference/texture_environment.h"
 #include "tests/reference/texture_sampling.h"
@@ -102,20 +104,29 @@ glm::dvec4 blendFactor(GLenum factor, const glm::dvec4& s, const glm::dvec4& d) 
   }
 }
 
-glm::dvec4 blendEquation(GLenum equation, const glm::dvec4& s, const glm::dvec4& sf, const glm::dvec4& d,
-                         const glm::dvec4& df) {
+// Of the colors and their products with the factors.
+glm::dvec4 blendEquation(GLenum equation, const glm::dvec4& s, const glm::dvec4& scaledS, const glm::dvec4& d,
+                         const glm::dvec4& scaledD) {
   switch (equation) {
     case GL_FUNC_SUBTRACT_OES:
-      return s * sf - d * df;
+      return scaledS - scaledD;
     case GL_FUNC_REVERSE_SUBTRACT_OES:
-      return d * df - s * sf;
+      return scaledD - scaledS;
     case GL_MIN_EXT:
       return glm::min(s, d);
     case GL_MAX_EXT:
       return glm::max(s, d);
     default:
-      return s * sf + d * df;
+      return scaledS + scaledD;
   }
+}
+
+bool blendsInSteps() {
+  static const bool result = [] {
+    const char* mode = std::getenv("ANTEROOM_REFERENCE_BLENDING");
+    return mode != nullptr && std::string_view(mode) == "steps";
+  }();
+  return result;
 }
 
 // Table 4.3 on one component of `largest` + 1 values.
@@ -274,12 +285,17 @@ glm::dvec4 FragmentStage::blend(const glm::dvec4& source, const glm::dvec4& dest
   const render::FragmentOps& ops = state_.ops;
   if (ops.logicOpEnabled) return logicOp(ops.logicOp, source, destination, color_->desc().format);
   if (!ops.blend) return source;
-  const glm::dvec4 rgb =
-      blendEquation(ops.blendEquationRgb, source, blendFactor(ops.blendSrcRgb, source, destination),
-                    destination, blendFactor(ops.blendDstRgb, source, destination));
-  const glm::dvec4 alpha =
-      blendEquation(ops.blendEquationAlpha, source, blendFactor(ops.blendSrcAlpha, source, destination),
-                    destination, blendFactor(ops.blendDstAlpha, source, destination));
+  const auto stepped = [this](const glm::dvec4& v) {
+    return blendsInSteps() ? quantise(color_->desc().format, v) : v;
+  };
+  const glm::dvec4 s = stepped(source);
+  const auto scaled = [&](const glm::dvec4& color, GLenum factor) {
+    return stepped(color * stepped(blendFactor(factor, s, destination)));
+  };
+  const glm::dvec4 rgb = blendEquation(ops.blendEquationRgb, s, scaled(s, ops.blendSrcRgb), destination,
+                                       scaled(destination, ops.blendDstRgb));
+  const glm::dvec4 alpha = blendEquation(ops.blendEquationAlpha, s, scaled(s, ops.blendSrcAlpha), destination,
+                                         scaled(destination, ops.blendDstAlpha));
   return glm::clamp(glm::dvec4(glm::dvec3(rgb), alpha.a), glm::dvec4(0), glm::dvec4(1));
 }
 
