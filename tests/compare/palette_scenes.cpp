@@ -1,6 +1,8 @@
 // OES_matrix_palette: ordinary skins, and stiff ones.
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <optional>
 
 #include "canvas.h"
 #include "scene.h"
@@ -57,7 +59,8 @@ void requirePalette() {
     throw std::runtime_error("no GL_OES_matrix_palette");
 }
 
-void drawSkinned(float weightSum = 1) {
+// `extra`: one triangle more, ahead of all, with this for a weight.
+void drawSkinned(float weightSum = 1, std::optional<float> extra = {}) {
   const auto matrixIndexPointer = command<PFNGLMATRIXINDEXPOINTEROESPROC>("glMatrixIndexPointerOES");
   const auto weightPointer = command<PFNGLWEIGHTPOINTEROESPROC>("glWeightPointerOES");
   glMatrixMode(GL_MODELVIEW);
@@ -65,8 +68,22 @@ void drawSkinned(float weightSum = 1) {
   glEnable(GL_MATRIX_PALETTE_OES);
   glEnableClientState(GL_MATRIX_INDEX_ARRAY_OES);
   glEnableClientState(GL_WEIGHT_ARRAY_OES);
-  const Mesh mesh = sphere(24, 16);
-  const Skin skin = skinOf(mesh, weightSum);
+  Mesh mesh = sphere(24, 16);
+  Skin skin = skinOf(mesh, weightSum);
+  if (extra) {
+    const auto first = static_cast<GLushort>(mesh.positions.size() / 3);
+    for (int i = 0; i < 9; ++i) {
+      mesh.positions.push_back(0.3f * static_cast<float>(i % 4));
+      mesh.normals.push_back(0.5f);
+      if (i < 6) mesh.texCoords.push_back(0);
+    }
+    for (int i = 0; i < 3 * kBones; ++i) {
+      skin.indices.push_back(static_cast<GLubyte>(10 * (i % kBones) + 3));
+      skin.weights.push_back(i % kBones == 1 ? *extra : 0.25f);
+    }
+    mesh.indices.insert(mesh.indices.begin(),
+                        {first, static_cast<GLushort>(first + 1), static_cast<GLushort>(first + 2)});
+  }
   matrixIndexPointer(kBones, GL_UNSIGNED_BYTE, 0, skin.indices.data());
   weightPointer(kBones, GL_FLOAT, 0, skin.weights.data());
   mesh.draw();
@@ -147,6 +164,13 @@ void nearlyCollapsed() {
   drawSkinned();
 }
 
+// Undefined (2.1.1), but for the one triangle alone.
+void badWeight(float value) {
+  start();
+  bendBones(15);
+  drawSkinned(1, value);
+}
+
 // Camera and bones far from the origin, near each other.
 void farBones(float distance) {
   start();
@@ -194,6 +218,8 @@ void addPaletteExtremes(Scenes& scenes) {
   add("palette/collapsed", [] { collapsed(0); });
   add("palette/collapsed, NORMALIZE", [] { collapsed(GL_NORMALIZE); });
   add("palette/nearly collapsed", nearlyCollapsed);
+  add("palette/weight that is no number", [] { badWeight(std::numeric_limits<float>::quiet_NaN()); });
+  add("palette/infinite weight", [] { badWeight(std::numeric_limits<float>::infinity()); });
   add("palette/bones at 1e6", [] { farBones(1e6f); });
   add("palette/bones at 1e7", [] { farBones(1e7f); });
   add("palette/bones of 1e15", [] { hugeBones(1e15f); });

@@ -86,8 +86,7 @@ const std::vector<MesaRemark>& mesaRemarks() {
 constexpr Remark kDeviations[] = {
     {"coordinates/1e9 clamped",
      "2.1.1 asks for texture coordinates up to 2^10 only; beyond 2^31 texels the driver, like Mesa, converts "
-     "them to "
-     "integers before it clamps them. A clamp in every shader would cost all that is textured"},
+     "them to integers before it clamps them. A clamp in every shader would cost all that is textured"},
     {"denormals/positions",
      "2.1.1 asks for magnitudes of 2^32 and an accuracy of 1 in 10^5, not for numbers below 10^-38; the "
      "driver, like "

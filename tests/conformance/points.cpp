@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "harness.h"
@@ -152,6 +153,14 @@ TEST_F(Points, BadSizesInTheArray) {
   EXPECT_PIXEL(50, 50, kGreen);
   glDrawArrays(GL_POINTS, 0, 4);
   EXPECT_PIXEL(50, 50, kGreen);
+  for (float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    glClear(GL_COLOR_BUFFER_BIT);
+    const GLfloat withBad[] = {5, 5, bad, 5};
+    glPointSizePointerOES(GL_FLOAT, 0, withBad);
+    glDrawArrays(GL_POINTS, 0, 4);
+    EXPECT_PIXEL(8, 10, kGreen) << bad;
+    EXPECT_PIXEL(50, 52, kGreen) << bad;
+  }
 }
 
 // 3.3.1: a smooth point covers a disc; alpha is its coverage.
