@@ -148,7 +148,6 @@ void translateLighting(const State& state, VertexKey& key) {
   const Lighting& lighting = state.lighting;
   key.color = VertexColor::Lit;
   key.colorMaterial = lighting.colorMaterial;
-  key.normalize = lighting.normalize;
   key.specular = !isBlack(lighting.material.specular);
   key.shininess = lighting.material.shininess != 0;
   translateLights(lighting, key);
@@ -234,6 +233,7 @@ VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, co
     if (state.lighting.enabled) translateLighting(state, key);
     key.twoSided = fragment.twoSided;
   }
+  key.normalize = state.lighting.normalize;  // of normals, whoever reads them
   key.fog = fragment.fog != FogMode::None || fragment.fogSource != FogMode::None;
   key.fogW = state.attributes[kPosition].array && state.attributes[kPosition].size == 4;
   key.clipPlanes = profile.clipDistance ? enabledPlanes(state) : fragment.discardPlanes;

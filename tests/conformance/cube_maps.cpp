@@ -223,7 +223,8 @@ TEST_F(CubeMaps, NormalMap) {
   }
 }
 
-// r = u - 2 n (n . u), u the unit vector from the eye to the vertex (2.11.4 of OpenGL 1.5).
+// r = u - 2 n (n . u), u the unit vector from the eye to the vertex (2.11.4 of OpenGL 1.5); n of any length
+// under NORMALIZE.
 TEST_F(CubeMaps, ReflectionMap) {
   uploadFaces();
   glEnable(kCube);
@@ -248,7 +249,16 @@ TEST_F(CubeMaps, ReflectionMap) {
                 glMatrixMode(GL_MODELVIEW);
                 glNormal3f(static_cast<GLfloat>(n[0]), static_cast<GLfloat>(n[1]),
                            static_cast<GLfloat>(n[2]));
+                std::vector<GLfloat> longer;
+                for (std::size_t k = 0; k < 12; ++k) longer.push_back(static_cast<GLfloat>(3 * n[k % 3]));
+                if (i % 2) {
+                  glEnable(GL_NORMALIZE);
+                  glEnableClientState(GL_NORMAL_ARRAY);
+                  glNormalPointer(GL_FLOAT, 0, longer.data());
+                }
                 drawRect({point[0] - 2 * h, point[1] - 2 * h, point[0] + 2 * h, point[1] + 2 * h, point[2]});
+                glDisable(GL_NORMALIZE);
+                glDisableClientState(GL_NORMAL_ARRAY);
               });
   }
 }

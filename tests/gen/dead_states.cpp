@@ -353,6 +353,15 @@ TEST(DeadStates, LiveStatesChangeKeys) {
       {"two-sided", litState(), [](State& s) { s.lighting.twoSided = true; }},
       {"color material", litState(), [](State& s) { s.lighting.colorMaterial = true; }},
       {"NORMALIZE", litState(), [](State& s) { s.lighting.normalize = true; }},
+      {"NORMALIZE of normals that only texgen reads",
+       with(texturedState(),
+            [](State& s) {
+              enableArray(s, kNormal, 3);
+              s.units[0].target = TextureTarget::CubeMap;
+              s.units[0].texGen = true;
+              s.units[0].env.mode = GL_REPLACE;
+            }),
+       [](State& s) { s.lighting.normalize = true; }},
       {"w of positions under fog", with(plainState(), [](State& s) { s.fog.enabled = true; }),
        [](State& s) { s.attributes[kPosition].size = 4; }},
       {"fog", plainState(), [](State& s) { s.fog.enabled = true; }},
