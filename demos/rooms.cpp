@@ -19,6 +19,7 @@
 #include "reflect/reflect.h"
 #include "room/context.h"
 #include "room/picture.h"
+#include "skinning/skinning.h"
 #include "water/study.h"
 #include "water/water.h"
 
@@ -39,6 +40,8 @@ const std::vector<room::DemoEntry>& demos() {
        postprocessing::makePostprocessing},
       {"reflect", "shining ball in a playroom, a train around it, and a cube map made anew every frame",
        reflect::makeReflect},
+      {"skinning", "fortune-teller's parlour: a porcelain hand of 20 bones waves, makes a fist and points",
+       skinning::makeSkinning},
       {"water", "pool in an atrium: waves that refract and reflect, puddles that mirror the room",
        water::makeWater},
   };
@@ -63,6 +66,11 @@ void describeSettings(CLI::App& app, room::Settings& settings) {
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
   app.add_flag("--quads", settings.quads, "particles: screen-aligned quads instead of point sprites");
+  app.add_option(
+         "--skin", settings.skin,
+         "skinning: by the GL's matrix palette, by the program, or any: by the palette where there is one")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"palette", "cpu", "any"}));
   app.add_option("--water", settings.water,
                  "water: sums of waves, or springs: a sheet of masses that drops fall on")
       ->capture_default_str()

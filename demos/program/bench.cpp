@@ -61,9 +61,10 @@ std::vector<std::string> arguments(const BenchOptions& options, std::string_view
                                     "--samples", fmt::format("{}", options.samples),
                                     "--frames",  fmt::format("{}", options.frames),
                                     "--worker",  picture.empty() ? "time" : picture};
-  words.insert(words.end(), {"--particles", fmt::format("{}", options.settings.particles), "--water",
-                             options.settings.water, "--integrator", options.settings.integrator,
-                             "--stiffness", fmt::format("{}", options.settings.stiffness)});
+  words.insert(words.end(),
+               {"--particles", fmt::format("{}", options.settings.particles), "--water",
+                options.settings.water, "--integrator", options.settings.integrator, "--stiffness",
+                fmt::format("{}", options.settings.stiffness), "--skin", options.settings.skin});
   if (options.settings.quads) words.emplace_back("--quads");
   return words;
 }

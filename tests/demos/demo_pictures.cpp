@@ -126,7 +126,8 @@ TEST_P(DemoPictures, AreTheReferenceRenderers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, DemoPictures,
-                         testing::Values("lighting", "particles", "postprocessing", "reflect", "water"),
+                         testing::Values("lighting", "particles", "postprocessing", "reflect", "skinning",
+                                         "water"),
                          [](const auto& one) { return std::string(one.param); });
 
 }  // namespace
