@@ -12,6 +12,13 @@ void Statement::reset() {
   sqlite3_clear_bindings(statement_.get());
 }
 
+bool Statement::run() {
+  int code;
+  while ((code = step()) == SQLITE_ROW) continue;
+  reset();
+  return code == SQLITE_DONE;
+}
+
 void Statement::bind(int i, std::string_view text) {
   sqlite3_bind_text(statement_.get(), i, text.data(), static_cast<int>(text.size()), SQLITE_STATIC);
 }

@@ -17,6 +17,8 @@ class Statement {
   // One row, or the end: SQLITE_ROW, SQLITE_DONE, or an error.
   int step() { return sqlite3_step(statement_.get()); }
   void reset();
+  // All of it, ready for the next time. False: an error.
+  bool run();
   explicit operator bool() const { return statement_ != nullptr; }
 
   // Bound memory must outlive the step. Numbers of parameters begin at 1.

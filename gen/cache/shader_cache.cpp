@@ -2,8 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <pthread.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -12,6 +10,7 @@
 #include <ctime>
 
 #include "gen/cache/location.h"
+#include "gen/cache/quiet_thread.h"
 
 namespace anteroom::gen {
 namespace {
@@ -29,19 +28,11 @@ uint64_t inodeOf(const std::filesystem::path& file) {
   return stat(file.c_str(), &info) == 0 ? info.st_ino : 0;
 }
 
-// Signals are for the program's own threads.
-template <class Body>
-std::thread quietThread(Body body) {
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread thread;
-  try {
-    thread = std::thread(body);
-  } catch (const std::system_error&) {
-  }
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return thread;
+constexpr int64_t kMostUsual = 256;  // pipelines: no more are made ahead
+
+std::filesystem::path& chosenFile() {
+  static std::filesystem::path file;
+  return file;
 }
 
 }  // namespace
@@ -60,7 +51,7 @@ ShaderCache::~ShaderCache() {
 ShaderCache& ShaderCache::process() {
   // Never destroyed: other threads may still draw while the process ends.
   static ShaderCache* const cache = [] {
-    CacheLocation location = cacheLocation();
+    CacheLocation location = chosenFile().empty() ? cacheLocation() : CacheLocation{chosenFile(), {}};
     auto* made = new ShaderCache(std::move(location.file), cacheLimit());
     if (!location.reason.empty()) made->warn(location.reason);
     return made;
@@ -69,6 +60,10 @@ ShaderCache& ShaderCache::process() {
     ~Closer() { cache->close(); }
   } closer;
   return *cache;
+}
+
+void ShaderCache::setProcessFile(std::filesystem::path file) {
+  chosenFile() = std::move(file);
 }
 
 bool ShaderCache::foreignProcess() const {
@@ -89,7 +84,7 @@ bool ShaderCache::waitUntilOpen() {
 std::vector<uint32_t> ShaderCache::find(KeyKind kind, KeyBytes key) {
   std::vector<uint32_t> spirv;
   if (foreignProcess() || !waitUntilOpen()) return spirv;
-  const int64_t id = rowId(kind, key);
+  const int64_t id = shaderId(kind, key);
   bool firstUse = false;
   Found found = Found::Absent;
   {
@@ -117,14 +112,29 @@ void ShaderCache::store(KeyKind kind, KeyBytes key, std::string glsl, std::vecto
     const std::lock_guard lock(mutex_);
     if (state_ == State::Off || stopping_) return;
   }
-  Row row = makeRow(kind, key, std::move(glsl), std::move(spirv), compileMicroseconds);
+  ShaderRow row = makeRow(kind, key, std::move(glsl), std::move(spirv), compileMicroseconds);
   {
     const std::lock_guard lock(readMutex_);
     counted_.insert(row.id());
   }
   const std::lock_guard lock(mutex_);
-  work_.rows.push_back(std::move(row));
+  work_.shaders.push_back(std::move(row));
   wake_.notify_one();
+}
+
+void ShaderCache::use(PipelineRow row) {
+  if (foreignProcess()) return;
+  const std::lock_guard lock(mutex_);
+  if (state_ == State::Off || stopping_) return;
+  work_.pipelines.push_back(std::move(row));
+  wake_.notify_one();
+}
+
+std::vector<PipelineRow> ShaderCache::usualPipelines() {
+  if (foreignProcess() || !waitUntilOpen()) return {};
+  Store store;
+  if (store.open(file_, Store::Mode::Read) != Opened::Ok) return {};
+  return store.usual(thisProgram().id, kMostUsual);
 }
 
 bool ShaderCache::filled() {
@@ -194,7 +204,7 @@ void ShaderCache::moveAside() {
   ++damaged_;
   salvaged_.clear();
   if (writer_.isOpen())
-    writer_.visit([this](int64_t, Row& row, const std::string& why) {
+    writer_.visitShaders([this](int64_t, int64_t, ShaderRow& row, const std::string& why) {
       if (why.empty()) salvaged_.push_back(std::move(row));
     });
   writer_.close();
@@ -238,6 +248,7 @@ bool ShaderCache::open() {
   const std::lock_guard lock(mutex_);
   filled_ = filled;
   fileDamaged_ = false;
+  run_ = 0;
   return true;
 }
 
@@ -245,11 +256,32 @@ bool ShaderCache::writeOnce(const Work& work) {
   if (!writer_.begin()) return false;
   const int64_t now = std::time(nullptr);
   bool good = true;
-  for (const Row& row : salvaged_) good = good && writer_.put(row);
-  for (const Row& row : work.rows) good = good && writer_.put(row);
+  for (const ShaderRow& row : salvaged_) good = good && writer_.put(row);
+  for (const ShaderRow& row : work.shaders) good = good && writer_.put(row);
   for (int64_t id : work.used) good = good && writer_.touch(id, now);
-  good = good && (work.rows.empty() || writer_.shrink(limit_) >= 0);
-  return good && writer_.commit();
+  const int64_t run = run_, place = place_;
+  good = good && writePipelines(work.pipelines, now);
+  good = good && (work.shaders.empty() || writer_.shrink(limit_) >= 0);
+  if (good && writer_.commit()) return true;
+  run_ = run;
+  place_ = place;
+  return false;
+}
+
+bool ShaderCache::writePipelines(const std::vector<PipelineRow>& rows, int64_t now) {
+  if (rows.empty()) return true;
+  if (run_ == 0) {
+    if (program_.id == 0) program_ = thisProgram();
+    run_ = writer_.beginRun(program_, now);
+    if (run_ == 0) return false;
+  }
+  for (PipelineRow row : rows) {
+    row.created = row.used = now;
+    const int64_t id = row.id();
+    if (!writer_.put(row) || !writer_.touchPipeline(id, now) || !writer_.use(program_.id, id, run_, place_++))
+      return false;
+  }
+  return true;
 }
 
 void ShaderCache::write(const Work& work) {
@@ -260,7 +292,7 @@ void ShaderCache::write(const Work& work) {
     }
     if (writeOnce(work)) {
       salvaged_.clear();
-      written_ += work.rows.size();
+      written_ += work.shaders.size();
       return;
     }
     const bool busy = writer_.busy(), damaged = writer_.damaged();

@@ -1,4 +1,4 @@
-// The shader cache as a renderer sees it: look-ups at once, writes on a thread of its own.
+// The cache as a renderer sees it: look-ups at once, writes on a thread of its own.
 #pragma once
 
 #include <atomic>
@@ -33,6 +33,8 @@ class ShaderCache {
   // This process's, where cacheLocation() says. It lasts until the process ends, and then writes what is
   // left.
   static ShaderCache& process();
+  // Another file for process(). Before its first call.
+  static void setProcessFile(std::filesystem::path file);
 
   // Empty: not there. Waits for the file to be open.
   std::vector<uint32_t> find(KeyKind kind, KeyBytes key);
@@ -40,6 +42,16 @@ class ShaderCache {
              int64_t compileMicroseconds);
   // Whether shaders of this generator can be expected. Waits for the file to be open.
   bool filled();
+
+  // That this run needs the pipeline; once for each, in the order of first use.
+  void use(PipelineRow row);
+  // What this program, as it was called, needed lately, most used first. For a thread that draws nothing: it
+  // waits for the file to be open, and reads it.
+  std::vector<PipelineRow> usualPipelines();
+  // Whether there may be a cache at all.
+  bool wanted() const { return !file_.empty(); }
+  const std::filesystem::path& file() const { return file_; }
+
   // Until what was stored so far is written, or cannot be.
   void flush();
   // Writes what is left and lets go of the file. Afterwards it is empty.
@@ -49,9 +61,10 @@ class ShaderCache {
  private:
   enum class State { Opening, Open, Off };
   struct Work {
-    std::vector<Row> rows;
+    std::vector<ShaderRow> shaders;
     std::unordered_set<int64_t> used;
-    bool empty() const { return rows.empty() && used.empty(); }
+    std::vector<PipelineRow> pipelines;
+    bool empty() const { return shaders.empty() && used.empty() && pipelines.empty(); }
   };
 
   // Not the process that made this: forked from it.
@@ -62,6 +75,7 @@ class ShaderCache {
   void moveAside();
   void write(const Work& work);
   bool writeOnce(const Work& work);
+  bool writePipelines(const std::vector<PipelineRow>& rows, int64_t now);
   void warn(const std::string& what);
 
   const std::filesystem::path file_;
@@ -82,8 +96,11 @@ class ShaderCache {
 
   // The thread's own.
   Store writer_;
-  uint64_t inode_ = 0;         // of the file that is open
-  std::vector<Row> salvaged_;  // good rows of a damaged one
+  uint64_t inode_ = 0;               // of the file that is open
+  std::vector<ShaderRow> salvaged_;  // good rows of a damaged one
+  Program program_;
+  int64_t run_ = 0;    // of the program, in the file that is open; 0: not begun
+  int64_t place_ = 0;  // of the next pipeline
   bool warned_ = false;
 
   std::thread thread_;

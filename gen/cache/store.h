@@ -3,53 +3,17 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "gen/cache/database.h"
-#include "gen/gen.h"
+#include "gen/cache/rows.h"
 
 namespace anteroom::gen {
 
-// What a row's key is: the bytes of a VertexKey or FragmentKey, or, for shaders that no key makes, their
-// GLSL.
-enum class KeyKind : uint8_t { Vertex, Fragment, VertexText, FragmentText };
-constexpr Stage stageOf(KeyKind kind) {
-  return kind == KeyKind::Vertex || kind == KeyKind::VertexText ? Stage::Vertex : Stage::Fragment;
-}
-
-using KeyBytes = std::span<const std::byte>;
-template <class Key>
-KeyBytes bytesOf(const Key& key) {
-  return std::as_bytes(std::span(&key, 1));
-}
-
-// The number of a row: durable, and the same on every machine.
-int64_t rowId(KeyKind kind, KeyBytes key);
-
-struct Row {
-  KeyKind kind = KeyKind::Vertex;
-  std::vector<std::byte> key;
-  std::string generator, description, glsl;
-  std::vector<uint32_t> spirv;
-  int64_t compileMicroseconds = 0;
-  int64_t created = 0, used = 0;  // seconds since 1970
-  int64_t uses = 0;               // by how many processes
-
-  int64_t id() const { return rowId(kind, key); }
-};
-
-// Fills in generator version and description; the times are now.
-Row makeRow(KeyKind kind, KeyBytes key, std::string glsl, std::vector<uint32_t> spirv,
-            int64_t compileMicroseconds);
-// The key must be valid.
-std::string emit(KeyKind kind, KeyBytes key);
-bool validKey(KeyKind kind, KeyBytes key);
-
-enum class Opened { Ok, Missing, Foreign, Newer, Damaged, Unusable };
-enum class Found { Hit, Absent, Stale, Bad, Error };
+// Older: only for a reader; who may write brings the file up to date.
+enum class Opened { Ok, Missing, Foreign, Older, Newer, Damaged, Unusable };
+enum class Found { Hit, Absent, Bad, Error };
 
 // One connection, for one thread at a time.
 class Store {
@@ -63,34 +27,53 @@ class Store {
   bool damaged() const;
   // Another process has it locked.
   bool busy() const;
-
-  // Stale: made by another generator. Error: ask damaged().
-  Found find(KeyKind kind, KeyBytes key, std::vector<uint32_t>& spirv);
-  // Whether the file seems to hold shaders of this generator.
-  bool holdsCurrent();
+  Database& database() { return database_; }
 
   // A transaction; false rolls all of it back.
   bool begin();
   bool commit();
   void rollback();
-  bool put(const Row& row);
-  // One more process used the row.
-  bool touch(int64_t id, int64_t now);
-  bool remove(int64_t id);
   // Drops the rows unused for longest until the file's contents fit `bytes`. The number of rows, or -1.
   int64_t shrink(uint64_t bytes);
 
-  // `why` is empty for a good row; else it says what is wrong, and `row` holds what could be read. False: the
-  // file could not be read to its end.
-  using Visit = std::function<void(int64_t id, Row& row, const std::string& why)>;
-  bool visit(const Visit& visit);
-  Database& database() { return database_; }
+  // ---- Shaders: a row a key and generator, so that versions live side by side ----
+  // Of this generator. Error: ask damaged().
+  Found find(KeyKind kind, KeyBytes key, std::vector<uint32_t>& spirv);
+  // Whether the file seems to hold shaders of this generator.
+  bool holdsCurrent();
+  bool put(const ShaderRow& row);
+  // One more process used the shader; of this generator.
+  bool touch(int64_t id, int64_t now);
+  bool removeShader(int64_t number);
+
+  // `number` is the row's, `id` what it says is its shader's. `why` is empty for a good row; else it says
+  // what is wrong, and `row` holds what could be read. False: the file could not be read to its end.
+  using VisitShader = std::function<void(int64_t number, int64_t id, ShaderRow& row, const std::string& why)>;
+  bool visitShaders(const VisitShader& visit);
+
+  // ---- Pipelines, and who needed them ----
+  bool put(const PipelineRow& row);
+  bool touchPipeline(int64_t id, int64_t now);
+  bool removePipeline(int64_t id);
+  using VisitPipeline = std::function<void(int64_t id, PipelineRow& row, const std::string& why)>;
+  bool visitPipelines(const VisitPipeline& visit);
+
+  // The number of a new run, or 0: an error.
+  int64_t beginRun(const Program& program, int64_t now);
+  // The program's run needed the pipeline. Given a row of another file, the greater numbers are kept.
+  bool use(int64_t program, int64_t pipeline, int64_t run, int64_t place);
+  bool put(const UsageRow& row);
+  bool visitUsage(const std::function<void(const UsageRow&)>& visit);
+  // What the program needed in one of its last runs, most used first, then in the order of first use.
+  std::vector<PipelineRow> usual(int64_t program, int64_t most);
 
  private:
-  Opened prepareSchema(bool mayCreate);
+  Opened prepareSchema(Mode mode);
+  Statement& lazily(Statement& statement, const char* sql);
+  bool dropUsageOfNone();
 
   Database database_;
-  Statement find_, put_, touch_, remove_;
+  Statement find_, put_, touch_, putPipeline_, touchPipeline_, use_, putUsage_, putProgram_;
 };
 
 }  // namespace anteroom::gen

@@ -1,9 +1,9 @@
+// Commands that look.
 #include "gen/inspect/commands.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <set>
@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "gen/cache/generator_version.h"
+#include "gen/inspect/highlight.h"
 #include "gen/inspect/words.h"
 
 namespace anteroom::inspect {
@@ -22,21 +23,39 @@ void print(const nlohmann::json& json) {
   fmt::print("{}\n", json.dump(kDecimals));
 }
 
-Status find(const Settings& settings, const std::vector<std::string>& names, std::vector<Listed>& found) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
-  for (const std::string& wanted : names) {
-    std::vector<const Listed*> matches;
-    for (const Listed& row : rows)
-      if (!wanted.empty() && name(row.id).starts_with(wanted)) matches.push_back(&row);
-    if (matches.size() != 1) {
-      fmt::print(stderr, "anteroom-cache: {} {}; `anteroom-cache list` shows the keys\n",
-                 matches.empty() ? "no key begins with" : "more than one key begins with", wanted);
-      return kNo;
-    }
-    found.push_back(*matches[0]);
+// One of a cache's shaders or pipelines.
+struct Entry {
+  const Shader* shader = nullptr;
+  const Pipeline* pipeline = nullptr;
+  int64_t id() const { return shader ? shader->id : pipeline->id; }
+  State state() const { return shader ? inspect::state(shader->row) : inspect::state(pipeline->row); }
+};
+
+// Of several generators' rows of one shader, this one's, else the one used last.
+bool outranks(const Shader& a, const Shader& b) {
+  return a.row.current() != b.row.current() ? a.row.current() : a.row.used > b.row.used;
+}
+
+Status find(const Contents& contents, const std::string& wanted, Entry& found) {
+  std::vector<Entry> matches;
+  for (const Shader& shader : contents.shaders) {
+    if (!name(shader.id).starts_with(wanted)) continue;
+    const auto same = std::find_if(matches.begin(), matches.end(),
+                                   [&](const Entry& entry) { return entry.id() == shader.id; });
+    if (same == matches.end())
+      matches.push_back({&shader, nullptr});
+    else if (outranks(shader, *same->shader))
+      same->shader = &shader;
   }
-  return kDone;
+  for (const Pipeline& pipeline : contents.pipelines)
+    if (name(pipeline.id).starts_with(wanted)) matches.push_back({nullptr, &pipeline});
+  if (matches.size() == 1 && !wanted.empty()) {
+    found = matches[0];
+    return kDone;
+  }
+  fmt::print(stderr, "anteroom-cache: {} {}; `anteroom-cache list` shows the keys\n",
+             matches.empty() ? "no key begins with" : "more than one key begins with", wanted);
+  return kNo;
 }
 
 std::vector<std::string> lines(const std::string& text) {
@@ -68,208 +87,227 @@ std::vector<std::string> lineDiff(const std::string& first, const std::string& s
   return result;
 }
 
-std::string valueOf(const std::map<std::string, std::string>& state, const std::string& field) {
-  const auto found = state.find(field);
-  return found == state.end() ? "-" : found->second;
+// The most first; what is equal stays as it is.
+template <class Row, class Weight>
+void arrange(std::vector<Row>& rows, size_t most, Weight weight) {
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const Row& a, const Row& b) { return weight(a) > weight(b); });
+  if (most && rows.size() > most) rows.resize(most);
+}
+
+void listPipelines(const Settings& settings, const std::string& sort, size_t most,
+                   std::vector<Pipeline>& rows) {
+  arrange(rows, most, [&](const Pipeline& row) {
+    return sort == "compile" ? row.row.createMicroseconds : sort == "age" ? -row.row.created : row.row.uses;
+  });
+  if (settings.json) {
+    auto json = nlohmann::json::array();
+    for (const Pipeline& row : rows) json.push_back(toJson(row, false));
+    return print(json);
+  }
+  fmt::print("{:16} {:>6} {:>11} {:>8}  {}\n", "key", "uses", "create", "age", "state");
+  for (const auto& [id, row, why] : rows)
+    fmt::print("{} {:>6} {:>11} {:>8}  {}\n", name(id), row.uses, milliseconds(row.createMicroseconds),
+               ago(row.created), why.empty() ? row.state : "bad: " + why);
+}
+
+void listShaders(const Settings& settings, const std::string& sort, size_t most, std::vector<Shader>& rows) {
+  arrange(rows, most, [&](const Shader& row) -> int64_t {
+    if (sort == "compile") return row.row.compileMicroseconds;
+    if (sort == "size") return static_cast<int64_t>(row.row.spirv.size());
+    return sort == "age" ? -row.row.created : row.row.uses;
+  });
+  if (settings.json) {
+    auto json = nlohmann::json::array();
+    for (const Shader& row : rows) json.push_back(toJson(row, false));
+    return print(json);
+  }
+  fmt::print("{:16} {:>6} {:>11} {:>9} {:>8}  {}\n", "key", "uses", "compile", "SPIR-V", "age", "state");
+  for (const Shader& shader : rows) {
+    const gen::ShaderRow& row = shader.row;
+    const std::string state = !shader.why.empty() ? "bad: " + shader.why
+                              : row.current()     ? row.description
+                                                  : "(another generator's) " + row.description;
+    fmt::print("{} {:>6} {:>11} {:>9} {:>8}  {}\n", name(shader.id), row.uses,
+               milliseconds(row.compileMicroseconds), bytes(row.spirv.size() * 4), ago(row.created), state);
+  }
+}
+
+std::string disassembled(const std::vector<uint32_t>& spirv) {
+  std::string assembly;
+  spvtools::SpirvTools(SPV_ENV_VULKAN_1_1)
+      .Disassemble(spirv, &assembly,
+                   SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES | SPV_BINARY_TO_TEXT_OPTION_INDENT);
+  return assembly;
+}
+
+void print(const State& state) {
+  for (const auto& [field, value] : state) fmt::print("  {:18} {}\n", field, value);
+}
+
+Status showShader(const Settings& settings, const Shader& shader) {
+  const gen::ShaderRow& row = shader.row;
+  const Status status = shader.why.empty() ? kDone : kNo;
+  const std::string assembly = disassembled(row.spirv);
+  if (settings.json) {
+    auto json = toJson(shader, true);
+    json["assembly"] = clean(assembly);
+    print(json);
+    return status;
+  }
+  fmt::print("key        {} ({})\n", name(shader.id), kindName(row.kind));
+  if (!shader.why.empty()) fmt::print("bad        {}\n", shader.why);
+  fmt::print("generator  {}{}\n", row.generator,
+             row.current() ? "" : " (another: for this one it is compiled again)");
+  fmt::print("uses       {}, last {} ago, made {} ago\n", row.uses, ago(row.used), ago(row.created));
+  fmt::print("compile    {}\n", milliseconds(row.compileMicroseconds));
+  fmt::print("size       {} of GLSL, {} of SPIR-V\n", bytes(row.glsl.size()), bytes(row.spirv.size() * 4));
+  fmt::print("state\n");
+  print(state(row));
+  fmt::print("\n{}\n{}", settings.color ? coloredGlsl(row.glsl) : row.glsl,
+             settings.color ? coloredAssembly(assembly) : assembly);
+  return status;
+}
+
+// The key of the shader that these words mean, if it is there.
+std::string shaderOf(const Contents& contents, gen::Stage stage, const std::string& words) {
+  for (const Shader& shader : contents.shaders) {
+    const gen::ShaderRow& row = shader.row;
+    const bool key = row.kind == gen::KeyKind::Vertex || row.kind == gen::KeyKind::Fragment;
+    if (gen::stageOf(row.kind) == stage && (key ? row.description : row.glsl) == words)
+      return name(shader.id);
+  }
+  return "not in the cache";
+}
+
+Status showPipeline(const Settings& settings, const Contents& contents, const Pipeline& pipeline) {
+  const gen::PipelineRow& row = pipeline.row;
+  const std::string vertex = shaderOf(contents, gen::Stage::Vertex, row.vertex),
+                    fragment = shaderOf(contents, gen::Stage::Fragment, row.fragment);
+  if (settings.json) {
+    auto json = toJson(pipeline, true);
+    json["vertex_key"] = vertex;
+    json["fragment_key"] = fragment;
+    print(json);
+  } else {
+    fmt::print("key        {} (pipeline)\n", name(pipeline.id));
+    if (!pipeline.why.empty()) fmt::print("bad        {}\n", pipeline.why);
+    fmt::print("shaders    vertex {}, fragment {}\n", vertex, fragment);
+    fmt::print("uses       {}, last {} ago, made {} ago\n", row.uses, ago(row.used), ago(row.created));
+    fmt::print("create     {}\n", milliseconds(row.createMicroseconds));
+    fmt::print("state\n");
+    print(state(row));
+  }
+  return pipeline.why.empty() ? kDone : kNo;
 }
 
 }  // namespace
 
-Status open(const std::string& file, gen::Store::Mode mode, gen::Store& store) {
-  const auto say = [&](Status status, const std::string& what) {
-    fmt::print(stderr, "anteroom-cache: {} {}\n", file, what);
-    return status;
-  };
-  switch (store.open(file, mode, 2000)) {
-    case gen::Opened::Ok:
-      return kDone;
-    case gen::Opened::Missing:
-      return say(kMissing, "does not exist; a program that draws makes it");
-    case gen::Opened::Foreign:
-      return say(kNotACache, "is not a shader cache");
-    case gen::Opened::Newer:
-      return say(kNotACache, "was made by a newer version of Anteroom");
-    case gen::Opened::Damaged:
-      return say(kNotACache,
-                 "is no shader cache, or a damaged one; the next program that draws begins it again");
-    case gen::Opened::Unusable:
-      break;
-  }
-  return say(kUnusable, "cannot be opened: " + store.message());
-}
-
-Status readRows(const std::string& file, std::vector<Listed>& rows) {
-  gen::Store store;
-  if (const Status status = open(file, gen::Store::Mode::Read, store)) return status;
-  const bool whole = store.visit([&](int64_t id, gen::Row& row, const std::string& why) {
-    rows.push_back({id, std::move(row), why});
-  });
-  if (whole) return kDone;
-  fmt::print(stderr, "anteroom-cache: {} is damaged after {} rows: {}\n", file, rows.size(), store.message());
-  return kNotACache;
-}
-
-Status list(const Settings& settings, const std::string& sort, size_t most) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
-  const auto weight = [&](const Listed& row) -> int64_t {
-    if (sort == "compile") return row.row.compileMicroseconds;
-    if (sort == "size") return static_cast<int64_t>(row.row.spirv.size());
-    if (sort == "age") return -row.row.created;
-    return row.row.uses;
-  };
-  std::stable_sort(rows.begin(), rows.end(),
-                   [&](const Listed& a, const Listed& b) { return weight(a) > weight(b); });
-  if (most && rows.size() > most) rows.resize(most);
-  if (settings.json) {
-    auto json = nlohmann::json::array();
-    for (const Listed& row : rows) json.push_back(toJson(row.id, row.row, row.why, false));
-    print(json);
-    return kDone;
-  }
-  fmt::print("{:16} {:>6} {:>9} {:>9} {:>8}  {}\n", "key", "uses", "compile", "SPIR-V", "age", "state");
-  for (const auto& [id, row, why] : rows)
-    fmt::print("{} {:>6} {:>6.2f} ms {:>9} {:>8}  {}\n", name(id), row.uses,
-               static_cast<double>(row.compileMicroseconds) / 1000, bytes(row.spirv.size() * 4),
-               ago(row.created), why.empty() ? row.description : "bad: " + why);
+Status list(const Settings& settings, const std::string& sort, size_t most, bool pipelines) {
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
+  if (pipelines)
+    listPipelines(settings, sort, most, contents.pipelines);
+  else
+    listShaders(settings, sort, most, contents.shaders);
   return kDone;
 }
 
 Status show(const Settings& settings, const std::string& key) {
-  std::vector<Listed> found;
-  if (const Status status = find(settings, {key}, found)) return status;
-  const auto& [id, row, why] = found[0];
-  std::string assembly;
-  spvtools::SpirvTools(SPV_ENV_VULKAN_1_1)
-      .Disassemble(row.spirv, &assembly,
-                   SPV_BINARY_TO_TEXT_OPTION_FRIENDLY_NAMES | SPV_BINARY_TO_TEXT_OPTION_INDENT);
-  if (settings.json) {
-    auto json = toJson(id, row, why, true);
-    json["assembly"] = assembly;
-    print(json);
-    return why.empty() ? kDone : kNo;
-  }
-  fmt::print("key        {} ({})\n", name(id), kindName(row.kind));
-  if (!why.empty()) fmt::print("bad        {}\n", why);
-  fmt::print("generator  {}{}\n", row.generator,
-             row.generator == gen::generatorVersion() ? "" : " (another: it will be compiled again)");
-  fmt::print("uses       {}, last {} ago, made {} ago\n", row.uses, ago(row.used), ago(row.created));
-  fmt::print("compile    {:.2f} ms\n", static_cast<double>(row.compileMicroseconds) / 1000);
-  fmt::print("size       {} of GLSL, {} of SPIR-V\n", bytes(row.glsl.size()), bytes(row.spirv.size() * 4));
-  fmt::print("state\n");
-  for (const auto& [field, value] : state(row)) fmt::print("  {:18} {}\n", field, value);
-  fmt::print("\n{}\n{}", row.glsl, assembly);
-  return why.empty() ? kDone : kNo;
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
+  Entry entry;
+  if (const Status status = find(contents, key, entry)) return status;
+  return entry.shader ? showShader(settings, *entry.shader)
+                      : showPipeline(settings, contents, *entry.pipeline);
 }
 
 Status diff(const Settings& settings, const std::string& first, const std::string& second) {
-  std::vector<Listed> found;
-  if (const Status status = find(settings, {first, second}, found)) return status;
-  const auto a = state(found[0].row), b = state(found[1].row);
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
+  Entry entries[2];
+  if (const Status status = find(contents, first, entries[0])) return status;
+  if (const Status status = find(contents, second, entries[1])) return status;
+  const State a = entries[0].state(), b = entries[1].state();
   std::set<std::string> fields;
-  for (const auto& states : {a, b})
-    for (const auto& [field, value] : states) fields.insert(field);
+  for (const State& state : {a, b})
+    for (const auto& [field, value] : state) fields.insert(field);
   std::erase_if(fields, [&](const std::string& field) { return valueOf(a, field) == valueOf(b, field); });
-  const auto text = lineDiff(found[0].row.glsl, found[1].row.glsl);
+  std::vector<std::string> text;
+  if (entries[0].shader && entries[1].shader)
+    text = lineDiff(entries[0].shader->row.glsl, entries[1].shader->row.glsl);
   if (settings.json) {
     auto differences = nlohmann::json::object();
-    for (const std::string& field : fields) differences[field] = {valueOf(a, field), valueOf(b, field)};
+    for (const std::string& field : fields)
+      differences[clean(field)] = {clean(valueOf(a, field)), clean(valueOf(b, field))};
+    for (std::string& line : text) line = clean(line);
     print({{"state", differences}, {"glsl", text}});
   } else {
     for (const std::string& field : fields)
       fmt::print("{:18} {} -> {}\n", field, valueOf(a, field), valueOf(b, field));
-    fmt::print("\n");
-    for (const std::string& line : text) fmt::print("{}\n", line);
+    if (!text.empty()) fmt::print("\n");
+    for (const std::string& line : text) {
+      const char* const color = !settings.color  ? ""
+                                : line[0] == '-' ? "\033[31m"
+                                : line[0] == '+' ? "\033[32m"
+                                                 : "";
+      fmt::print("{}{}{}\n", color, line, *color ? "\033[0m" : "");
+    }
   }
-  return found[0].id == found[1].id ? kDone : kNo;
+  return entries[0].id() == entries[1].id() ? kDone : kNo;
 }
 
 Status stats(const Settings& settings) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
   size_t spirv = 0, glsl = 0, bad = 0, current = 0, kinds[4]{};
-  int64_t compile = 0, saved = 0;
-  for (const auto& [id, row, why] : rows) {
+  int64_t compile = 0, saved = 0, create = 0;
+  for (const Shader& shader : contents.shaders) {
+    const gen::ShaderRow& row = shader.row;
     spirv += row.spirv.size() * 4;
     glsl += row.glsl.size();
-    bad += !why.empty();
-    current += row.generator == gen::generatorVersion();
+    bad += !shader.why.empty();
+    current += row.current();
     ++kinds[static_cast<int>(row.kind)];
     compile += row.compileMicroseconds;
     saved += row.compileMicroseconds * std::max<int64_t>(0, row.uses - 1);
   }
+  for (const Pipeline& pipeline : contents.pipelines) {
+    bad += !pipeline.why.empty();
+    create += pipeline.row.createMicroseconds;
+  }
+  std::set<int64_t> programs;
+  for (const gen::UsageRow& usage : contents.usage) programs.insert(usage.program.id);
   std::error_code ignored;
   const size_t file = std::filesystem::file_size(settings.file, ignored);
   if (settings.json) {
     print({{"file", settings.file},
            {"file_bytes", file},
-           {"rows", rows.size()},
+           {"rows", contents.shaders.size()},
            {"bad", bad},
            {"current", current},
            {"vertex", kinds[0]},
            {"fragment", kinds[1]},
            {"own", kinds[2] + kinds[3]},
+           {"pipelines", contents.pipelines.size()},
+           {"programs", programs.size()},
            {"spirv_bytes", spirv},
            {"glsl_bytes", glsl},
            {"compile_us", compile},
            {"saved_us", saved},
+           {"create_us", create},
            {"generator", gen::generatorVersion()}});
     return kDone;
   }
   fmt::print("{}: {}\n", settings.file, bytes(file));
-  fmt::print(
-      "{} shaders: {} vertex, {} fragment, {} of the renderer's own; {} bad, {} of another generator\n",
-      rows.size(), kinds[0], kinds[1], kinds[2] + kinds[3], bad, rows.size() - current);
+  fmt::print("{} shaders: {} vertex, {} fragment, {} of the renderer's own; {} of another generator\n",
+             contents.shaders.size(), kinds[0], kinds[1], kinds[2] + kinds[3],
+             contents.shaders.size() - current);
+  fmt::print("{} pipelines, needed by {} programs; {} bad rows\n", contents.pipelines.size(), programs.size(),
+             bad);
   fmt::print("{} of SPIR-V, {} of GLSL\n", bytes(spirv), bytes(glsl));
-  fmt::print("{:.1f} ms of compiling, {:.1f} ms saved so far\n", static_cast<double>(compile) / 1000,
-             static_cast<double>(saved) / 1000);
-  return kDone;
-}
-
-// For each piece of state: how many shaders there would be if it did not matter.
-Status explain(const Settings& settings) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
-  auto json = nlohmann::json::object();
-  for (const gen::KeyKind kind : {gen::KeyKind::Vertex, gen::KeyKind::Fragment}) {
-    std::vector<std::map<std::string, std::string>> states;
-    std::set<std::string> fields;
-    for (const Listed& row : rows)
-      if (row.row.kind == kind && row.why.empty()) states.push_back(state(row.row));
-    for (const auto& one : states)
-      for (const auto& [field, value] : one) fields.insert(field);
-    struct Split {
-      std::string field;
-      size_t without;
-      std::map<std::string, size_t> values;
-    };
-    std::vector<Split> splits;
-    for (const std::string& field : fields) {
-      Split split{field, 0, {}};
-      std::set<std::map<std::string, std::string>> rest;
-      for (auto one : states) {
-        ++split.values[valueOf(one, field)];
-        one.erase(field);
-        rest.insert(std::move(one));
-      }
-      split.without = rest.size();
-      if (split.values.size() > 1) splits.push_back(std::move(split));
-    }
-    std::stable_sort(splits.begin(), splits.end(),
-                     [](const Split& a, const Split& b) { return a.without < b.without; });
-    auto& list = json[kindName(kind)] = {{"shaders", states.size()}, {"splits", nlohmann::json::array()}};
-    for (const Split& split : splits)
-      list["splits"].push_back(
-          {{"state", split.field}, {"shaders_without", split.without}, {"values", split.values}});
-    if (settings.json) continue;
-    fmt::print("{} {} shaders\n", states.size(), kindName(kind));
-    for (const Split& split : splits) {
-      fmt::print("  {:18} {} without it:", split.field, split.without);
-      for (const auto& [value, count] : split.values) fmt::print(" {} ({})", value, count);
-      fmt::print("\n");
-    }
-  }
-  if (settings.json) print(json);
+  fmt::print("{} of compiling, {} saved so far; {} of making pipelines\n", milliseconds(compile),
+             milliseconds(saved), milliseconds(create));
   return kDone;
 }
 

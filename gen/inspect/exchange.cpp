@@ -1,80 +1,118 @@
-// Commands that compile, change a cache, or carry it elsewhere.
+// Commands that change a cache, or carry it elsewhere.
 #include <fmt/format.h>
 
-#include <chrono>
+#include <charconv>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
-#include "gen/inspect/commands.h"
+#include "gen/inspect/change.h"
 #include "gen/inspect/words.h"
 
 namespace anteroom::inspect {
 namespace {
 
 constexpr const char* kFormat = "anteroom-cache-keys";
+constexpr int kVersion = 1;
 
-// Nothing: the key does not compile.
-std::optional<gen::Row> compiled(gen::KeyKind kind, gen::KeyBytes key) {
-  const auto start = std::chrono::steady_clock::now();
-  std::string glsl = gen::emit(kind, key);
-  gen::CompileResult result = gen::compile(gen::stageOf(kind), glsl);
-  const auto time = std::chrono::steady_clock::now() - start;
-  if (result.spirv.empty()) return {};
-  return gen::makeRow(kind, key, std::move(glsl), std::move(result.spirv),
-                      std::chrono::duration_cast<std::chrono::microseconds>(time).count());
+void answer(const Settings& settings, const nlohmann::json& json, const std::string& words) {
+  if (settings.json)
+    fmt::print("{}\n", json.dump(2));
+  else
+    fmt::print("{}\n", words);
 }
 
-Status finish(gen::Store& store, const Settings& settings, bool good) {
-  if (good && store.commit()) return kDone;
-  fmt::print(stderr, "anteroom-cache: {} cannot be written: {}\n", settings.file, store.message());
-  store.rollback();
-  return kUnusable;
-}
-
-Status begin(const Settings& settings, gen::Store::Mode mode, gen::Store& store) {
-  std::error_code ignored;
-  if (mode == gen::Store::Mode::Create)
-    std::filesystem::create_directories(std::filesystem::absolute(settings.file, ignored).parent_path(),
-                                        ignored);
-  if (const Status status = open(settings.file, mode, store)) return status;
-  return store.begin() ? kDone : finish(store, settings, false);
-}
-
-template <class Key>
-bool parsed(const std::string& text, std::vector<std::byte>& bytes) {
-  Key key;
-  if (!gen::parse(text, key)) return false;
-  const auto view = gen::bytesOf(key);
-  bytes.assign(view.begin(), view.end());
+bool textOf(const nlohmann::json& entry, const char* field, std::string& out) {
+  if (!entry.is_object() || !entry.contains(field) || !entry[field].is_string()) return false;
+  out = entry[field];
   return true;
 }
 
-// The key of one entry of an exported file.
-bool read(const nlohmann::json& entry, gen::KeyKind& kind, std::vector<std::byte>& key) {
-  if (!entry.is_object() || !entry.value("kind", nlohmann::json()).is_string() ||
-      !entry.value("key", nlohmann::json()).is_string())
-    return false;
-  const std::string name = entry["kind"], text = entry["key"];
-  for (int i = 0; i < 4; ++i) {
-    kind = static_cast<gen::KeyKind>(i);
-    if (name != kindName(kind)) continue;
-    if (kind == gen::KeyKind::Vertex) return parsed<gen::VertexKey>(text, key);
-    if (kind == gen::KeyKind::Fragment) return parsed<gen::FragmentKey>(text, key);
-    const auto view = std::as_bytes(std::span(text));
-    key.assign(view.begin(), view.end());
-    return gen::validKey(kind, key);
-  }
-  return false;
+int64_t numberOf(const nlohmann::json& entry, const char* field) {
+  const auto found = entry.find(field);
+  return found != entry.end() && found->is_number_integer() ? std::clamp<int64_t>(*found, 0, 1'000'000) : 0;
 }
+
+bool keyOf(const nlohmann::json& entry, gen::KeyKind& kind, std::vector<std::byte>& key) {
+  std::string name, words;
+  if (!textOf(entry, "kind", name) || !textOf(entry, "key", words)) return false;
+  const bool vertex = name.starts_with("vertex");
+  return gen::keyOf(vertex ? gen::Stage::Vertex : gen::Stage::Fragment, words, kind, key) &&
+         name == kindName(kind);
+}
+
+// Both shaders must be keys of this generator's; what the state means is the renderer's to say.
+bool pipelineOf(const nlohmann::json& entry, gen::PipelineRow& row) {
+  gen::KeyKind kind;
+  std::vector<std::byte> key;
+  if (!textOf(entry, "vertex", row.vertex) || !textOf(entry, "fragment", row.fragment) ||
+      !textOf(entry, "state", row.state) || row.state.size() > 4096)
+    return false;
+  row.created = row.used = std::time(nullptr);
+  return gen::keyOf(gen::Stage::Vertex, row.vertex, kind, key) &&
+         gen::keyOf(gen::Stage::Fragment, row.fragment, kind, key);
+}
+
+bool idOf(const std::string& text, int64_t& id) {
+  uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  id = static_cast<int64_t>(value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool usageOf(const nlohmann::json& entry, gen::UsageRow& row) {
+  std::string program, pipeline;
+  if (!textOf(entry, "program", program) || !textOf(entry, "name", row.program.name) ||
+      !textOf(entry, "pipeline", pipeline) || row.program.name.size() > 256)
+    return false;
+  row.runs = numberOf(entry, "runs");
+  row.uses = numberOf(entry, "uses");
+  row.run = numberOf(entry, "run");
+  row.place = numberOf(entry, "place");
+  return idOf(program, row.program.id) && idOf(pipeline, row.pipeline);
+}
+
+// What "keys", "pipelines" and "usage" of an exported file bring.
+struct Import {
+  gen::Store& store;
+  size_t shaders = 0, pipelines = 0, refused = 0;
+  bool good = true;  // so far everything could be written
+
+  template <class Take>
+  void each(const nlohmann::json& json, const char* what, Take take) {
+    if (!json.contains(what) || !json[what].is_array()) return;
+    for (const auto& entry : json[what]) refused += !take(entry);
+  }
+  bool shader(const nlohmann::json& entry) {
+    gen::KeyKind kind;
+    std::vector<std::byte> key;
+    const auto row = keyOf(entry, kind, key) ? compiled(kind, key) : std::nullopt;
+    if (!row) return false;
+    good = good && store.put(*row);
+    ++shaders;
+    return true;
+  }
+  bool pipeline(const nlohmann::json& entry) {
+    gen::PipelineRow row;
+    if (!pipelineOf(entry, row)) return false;
+    good = good && store.put(row);
+    ++pipelines;
+    return true;
+  }
+  bool usage(const nlohmann::json& entry) {
+    gen::UsageRow row;
+    if (!usageOf(entry, row)) return false;
+    good = good && store.put(row);
+    return true;
+  }
+};
 
 }  // namespace
 
 Status verify(const Settings& settings, bool repair) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
   gen::Store store;
   if (const Status status = repair ? begin(settings, gen::Store::Mode::Write, store)
                                    : open(settings.file, gen::Store::Mode::Read, store))
@@ -82,32 +120,36 @@ Status verify(const Settings& settings, bool repair) {
   bool written = true;
   size_t bad = 0;
   auto faults = nlohmann::json::array();
-  for (auto& [id, row, why] : rows) {
-    const bool keyGood = gen::validKey(row.kind, row.key) && row.id() == id;
-    const auto again = keyGood ? compiled(row.kind, row.key) : std::nullopt;
-    const bool current = again && again->generator == row.generator;
+  const auto fault = [&](int64_t id, const std::string& why) {
+    ++bad;
+    faults.push_back({{"key", name(id)}, {"fault", why}});
+    if (!settings.json) fmt::print("{} {}\n", name(id), why);
+  };
+  for (auto& [number, id, row, why] : contents.shaders) {
+    // Another generator's shaders are for it to judge, but for their form.
+    if (!row.current() && why.empty()) continue;
+    const std::vector<std::byte> key = row.id() == id ? row.currentKey() : std::vector<std::byte>{};
+    const auto again = key.empty() ? std::nullopt : compiled(row.kind, key);
     if (why.empty() && !again) why = "its key does not compile";
-    if (why.empty() && current && (again->spirv != row.spirv || again->glsl != row.glsl))
+    if (why.empty() && (again->spirv != row.spirv || again->glsl != row.glsl))
       why = "it is not what its key compiles to";
-    if (!why.empty()) {
-      ++bad;
-      faults.push_back({{"key", name(id)}, {"fault", why}});
-      if (!settings.json) fmt::print("{} {}\n", name(id), why);
-    }
-    if (repair && (!why.empty() || !current))
-      written = written && (again ? store.put(*again) : store.remove(id));
+    if (why.empty()) continue;
+    fault(id, why);
+    if (repair) written = written && store.removeShader(number) && (!again || store.put(*again));
+  }
+  for (const Pipeline& pipeline : contents.pipelines) {
+    if (pipeline.why.empty()) continue;
+    fault(pipeline.id, pipeline.why);
+    if (repair) written = written && store.removePipeline(pipeline.id);
   }
   const bool sound =
       store.database().ask("SELECT count(*) FROM pragma_quick_check WHERE quick_check = 'ok'", 0) == 1;
-  if (settings.json)
-    fmt::print(
-        "{}\n",
-        nlohmann::json{{"rows", rows.size()}, {"bad", bad}, {"sound", sound}, {"faults", faults}}.dump(2));
-  else
-    fmt::print("{} rows, {} bad{}; the file is {}\n", rows.size(), bad, repair && bad ? ", repaired" : "",
-               sound ? "sound" : "damaged");
   if (repair)
     if (const Status status = finish(store, settings, written)) return status;
+  const size_t rows = contents.shaders.size() + contents.pipelines.size();
+  answer(settings, {{"rows", rows}, {"bad", bad}, {"sound", sound}, {"faults", faults}},
+         fmt::format("{} rows, {} bad{}; the file is {}", rows, bad, repair && bad ? ", repaired" : "",
+                     sound ? "sound" : "damaged"));
   return sound && (bad == 0 || repair) ? kDone : kNo;
 }
 
@@ -115,43 +157,58 @@ Status prune(const Settings& settings, uint64_t limit, int unusedDays) {
   gen::Store store;
   if (const Status status = begin(settings, gen::Store::Mode::Write, store)) return status;
   const int64_t oldest = unusedDays < 0 ? INT64_MIN : std::time(nullptr) - int64_t{86400} * unusedDays;
-  std::vector<int64_t> old;
-  bool good = store.visit([&](int64_t id, gen::Row& row, const std::string& why) {
-    if (row.used < oldest || !why.empty()) old.push_back(id);
+  std::vector<int64_t> shaders, pipelines;
+  bool good = store.visitShaders([&](int64_t number, int64_t, gen::ShaderRow& row, const std::string& why) {
+    if (row.used < oldest || !why.empty()) shaders.push_back(number);
+  }) && store.visitPipelines([&](int64_t id, gen::PipelineRow& row, const std::string& why) {
+    if (row.used < oldest || !why.empty()) pipelines.push_back(id);
   });
-  for (int64_t id : old) good = good && store.remove(id);
+  for (int64_t number : shaders) good = good && store.removeShader(number);
+  for (int64_t id : pipelines) good = good && store.removePipeline(id);
   const int64_t dropped = good ? store.shrink(limit) : -1;
   if (const Status status = finish(store, settings, dropped >= 0)) return status;
   store.database().run("VACUUM");
-  const int64_t all = static_cast<int64_t>(old.size()) + dropped;
-  if (settings.json)
-    fmt::print("{}\n", nlohmann::json{{"removed", all}}.dump());
-  else
-    fmt::print("{} rows removed\n", all);
+  const int64_t all = static_cast<int64_t>(shaders.size() + pipelines.size()) + dropped;
+  answer(settings, {{"removed", all}}, fmt::format("{} rows removed", all));
   return kDone;
 }
 
 Status exportKeys(const Settings& settings, const std::string& to) {
-  std::vector<Listed> rows;
-  if (const Status status = readRows(settings.file, rows)) return status;
-  auto keys = nlohmann::json::array();
-  for (const auto& [id, row, why] : rows) {
-    if (!why.empty()) continue;
-    const bool own = row.kind == gen::KeyKind::VertexText || row.kind == gen::KeyKind::FragmentText;
-    keys.push_back(
-        {{"kind", kindName(row.kind)}, {"key", own ? gen::emit(row.kind, row.key) : row.description}});
+  Contents contents;
+  if (const Status status = read(settings.file, contents)) return status;
+  nlohmann::json json{{"format", kFormat}, {"version", kVersion}};
+  for (const char* list : {"keys", "pipelines", "usage"}) json[list] = nlohmann::json::array();
+  for (const Shader& shader : contents.shaders) {
+    const std::vector<std::byte> key = shader.row.currentKey();
+    if (!shader.why.empty() || key.empty()) continue;
+    nlohmann::json entry{{"kind", kindName(shader.row.kind)}, {"key", gen::wordsOf(shader.row.kind, key)}};
+    // Rows of several generators may mean one key.
+    auto& keys = json["keys"];
+    if (std::find(keys.begin(), keys.end(), entry) == keys.end()) keys.push_back(std::move(entry));
   }
-  const std::string text = nlohmann::json{{"format", kFormat}, {"version", 1}, {"keys", keys}}.dump(
-                               1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                           "\n";
+  for (const auto& [id, row, why] : contents.pipelines)
+    if (why.empty())
+      json["pipelines"].push_back({{"vertex", row.vertex}, {"fragment", row.fragment}, {"state", row.state}});
+  for (const gen::UsageRow& row : contents.usage)
+    json["usage"].push_back({{"program", name(row.program.id)},
+                             {"name", row.program.name},
+                             {"runs", row.runs},
+                             {"pipeline", name(row.pipeline)},
+                             {"uses", row.uses},
+                             {"run", row.run},
+                             {"place", row.place}});
+  const std::string text = json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   if (to == "-") {
     fmt::print("{}", text);
     return kDone;
   }
-  std::ofstream file(to, std::ios::binary);
-  if (file << text << std::flush) return kDone;
-  fmt::print(stderr, "anteroom-cache: {} cannot be written\n", to);
-  return kUnusable;
+  if (const Status status = write(to, text)) return status;
+  if (settings.json)
+    fmt::print(
+        "{}\n",
+        nlohmann::json{{"keys", json["keys"].size()}, {"pipelines", json["pipelines"].size()}, {"file", to}}
+            .dump(2));
+  return kDone;
 }
 
 Status importKeys(const Settings& settings, const std::string& from) {
@@ -167,43 +224,47 @@ Status importKeys(const Settings& settings, const std::string& from) {
     fmt::print(stderr, "anteroom-cache: {} holds no exported keys\n", from);
     return kNotACache;
   }
+  if (json.value("version", nlohmann::json()) != kVersion) {
+    fmt::print(stderr, "anteroom-cache: {} was exported by another version of Anteroom\n", from);
+    return kNotACache;
+  }
   gen::Store store;
   if (const Status status = begin(settings, gen::Store::Mode::Create, store)) return status;
-  size_t done = 0, refused = 0;
-  bool good = true;
-  for (const auto& entry : json["keys"]) {
-    gen::KeyKind kind;
-    std::vector<std::byte> key;
-    const auto row = read(entry, kind, key) ? compiled(kind, key) : std::nullopt;
-    if (row) good = good && store.put(*row);
-    ++(row ? done : refused);
+  Import import{store};
+  import.each(json, "keys", [&](const auto& entry) { return import.shader(entry);
+});
+  import.each(json, "pipelines", [&](const auto& entry) { return import.pipeline(entry);
+  }  // namespace anteroom::inspect
+);
+  import.each(json, "usage", [&](const auto& entry) { return import.usage(entry);
+  });
+  if (const Status status = finish(store, settings, import.good)) return status;
+  answer(settings,
+         {{"imported", import.shaders}, {"pipelines", import.pipelines}, {"refused", import.refused}},
+         fmt::format("{} keys imported and compiled, {} pipelines, {} refused", import.shaders,
+                     import.pipelines, import.refused));
+  return import.refused ? kNo : kDone;
   }
-  if (const Status status = finish(store, settings, good)) return status;
-  if (settings.json)
-    fmt::print("{}\n", nlohmann::json{{"imported", done}, {"refused", refused}}.dump());
-  else
-    fmt::print("{} keys imported and compiled, {} refused\n", done, refused);
-  return refused ? kNo : kDone;
-}
 
-Status merge(const Settings& settings, const std::vector<std::string>& from) {
-  std::vector<Listed> rows;
-  for (const std::string& file : from)
-    if (const Status status = readRows(file, rows)) return status;
-  gen::Store store;
-  if (const Status status = begin(settings, gen::Store::Mode::Create, store)) return status;
-  size_t done = 0, bad = 0;
-  bool good = true;
-  for (const Listed& row : rows) {
-    if (row.why.empty()) good = good && store.put(row.row);
-    ++(row.why.empty() ? done : bad);
+  Status merge(const Settings& settings, const std::vector<std::string>& from) {
+    Contents contents;
+    for (const std::string& file : from)
+      if (const Status status = read(file, contents)) return status;
+    gen::Store store;
+    if (const Status status = begin(settings, gen::Store::Mode::Create, store)) return status;
+    size_t done = 0, bad = 0;
+    bool good = true;
+    const auto take = [&](const auto& entry) {
+      if (entry.why.empty()) good = good && store.put(entry.row);
+      ++(entry.why.empty() ? done : bad);
+    };
+    for (const Shader& shader : contents.shaders) take(shader);
+    for (const Pipeline& pipeline : contents.pipelines) take(pipeline);
+    for (const gen::UsageRow& usage : contents.usage) good = good && store.put(usage);
+    if (const Status status = finish(store, settings, good)) return status;
+    answer(settings, {{"merged", done}, {"bad", bad}},
+           fmt::format("{} rows merged, {} bad ones left out", done, bad));
+    return kDone;
   }
-  if (const Status status = finish(store, settings, good)) return status;
-  if (settings.json)
-    fmt::print("{}\n", nlohmann::json{{"merged", done}, {"bad", bad}}.dump());
-  else
-    fmt::print("{} rows merged, {} bad ones left out\n", done, bad);
-  return kDone;
-}
 
-}  // namespace anteroom::inspect
+  }  // namespace anteroom::inspect

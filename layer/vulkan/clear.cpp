@@ -3,7 +3,9 @@
 
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/sampler.h"
+#include "layer/vulkan/shader_library.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -42,6 +44,13 @@ constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
 constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 
 }  // namespace
+
+std::span<const OwnShader> ownShaders() {
+  static constexpr OwnShader kAll[] = {{gen::Stage::Vertex, kQuadVertex},
+                                       {gen::Stage::Fragment, kQuadFragment},
+                                       {gen::Stage::Fragment, kCopyFragment}};
+  return kAll;
+}
 
 bool VulkanContext::clear(render::State& state, GLbitfield mask) {
   flushBatch();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/driver_cache.h"
 #include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
@@ -31,6 +32,7 @@ VulkanContext::~VulkanContext() {
   while (openGroups_ > 0) popGroup();
   finish();
   ShaderLibrary::flush();
+  device_.driverCache().save();
 }
 
 bool VulkanContext::submit() {

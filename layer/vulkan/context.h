@@ -9,11 +9,13 @@
 #include "layer/vulkan/draw_state.h"
 #include "layer/vulkan/index_fetch.h"
 #include "layer/vulkan/pass.h"
-#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/pipeline_key.h"
 #include "layer/vulkan/stream.h"
 #include "layer/vulkan/vertex_fetch.h"
 
 namespace anteroom::vulkan {
+
+struct Shader;
 
 class VulkanContext final : public render::Context {
  public:

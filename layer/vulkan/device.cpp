@@ -8,9 +8,11 @@
 
 #include "layer/vulkan/buffer.h"
 #include "layer/vulkan/context.h"
+#include "layer/vulkan/driver_cache.h"
 #include "layer/vulkan/image.h"
 #include "layer/vulkan/pass.h"
 #include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/pipeline_warm_up.h"
 #include "layer/vulkan/sampler.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
@@ -70,7 +72,9 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   samplers_ = std::make_unique<SamplerCache>(*this);
   shaders_ = std::make_unique<ShaderLibrary>(*this);
   legacyPasses_ = std::make_unique<LegacyPasses>(*this);
+  driverCache_ = std::make_unique<DriverCache>(*this);
   pipelines_ = std::make_unique<PipelineCache>(*this);
+  warmUp_ = std::make_unique<PipelineWarmUp>(*this);
   if (timeline_->initialise() && createLayouts()) return true;
   error = "the Vulkan device is out of memory";
   return false;
@@ -78,8 +82,10 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
 
 VulkanDevice::~VulkanDevice() {
   if (handle_) {
+    warmUp_.reset();
     fn_.vkDeviceWaitIdle(handle_);
     pipelines_.reset();
+    driverCache_.reset();
     legacyPasses_.reset();
     shaders_.reset();
     samplers_.reset();
@@ -250,6 +256,7 @@ std::shared_ptr<render::Buffer> VulkanDevice::createBuffer(size_t size, const vo
 
 std::unique_ptr<render::Context> VulkanDevice::createContext() {
   ShaderLibrary::warmUp();
+  warmUp_->start();
   auto context = std::make_unique<VulkanContext>(*this);
   if (!context->initialise()) return nullptr;
   return context;

@@ -18,9 +18,11 @@
 
 namespace anteroom::vulkan {
 
+class DriverCache;
 struct ImageStore;
 class LegacyPasses;
 class PipelineCache;
+class PipelineWarmUp;
 class SamplerCache;
 class ShaderLibrary;
 class Timeline;
@@ -66,6 +68,7 @@ class VulkanDevice : public render::Device {
   SamplerCache& samplers() { return *samplers_; }
   ShaderLibrary& shaders() { return *shaders_; }
   PipelineCache& pipelines() { return *pipelines_; }
+  DriverCache& driverCache() { return *driverCache_; }
   LegacyPasses& legacyPasses() { return *legacyPasses_; }
 
   // The sets of gen/gen.h. One layout for all pipelines, so that nothing that is bound is disturbed by
@@ -121,7 +124,9 @@ class VulkanDevice : public render::Device {
   std::unique_ptr<SamplerCache> samplers_;
   std::unique_ptr<ShaderLibrary> shaders_;
   std::unique_ptr<LegacyPasses> legacyPasses_;
+  std::unique_ptr<DriverCache> driverCache_;
   std::unique_ptr<PipelineCache> pipelines_;
+  std::unique_ptr<PipelineWarmUp> warmUp_;
 };
 
 }  // namespace anteroom::vulkan

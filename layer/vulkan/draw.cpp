@@ -5,7 +5,9 @@
 
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/sampler.h"
+#include "layer/vulkan/shader_library.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -322,10 +324,10 @@ bool VulkanContext::bindPipeline(VkCommandBuffer commands) {
   key.state = baked(wanted_.fixed, features);
   if (!pipeline_ || !(key == pipelineKey_)) {
     pipelineKey_ = key;
-    const uint64_t before = listener_ ? device_.pipelines().created() : 0;
+    const uint64_t before = listener_ ? device_.pipelines().awaited() : 0;
     pipeline_ = device_.pipelines().get(key, *vertexShader_, *fragmentShader_);
     if (!pipeline_) return false;
-    if (listener_ && device_.pipelines().created() != before) tellCompiled();
+    if (listener_ && device_.pipelines().awaited() != before) tellCompiled();
   }
   if (pipeline_ == bound_.pipeline) return true;
   device_.fn().vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);

@@ -3,9 +3,14 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <chrono>
 #include <cstdio>
 
+#include "gen/cache/shader_cache.h"
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/driver_cache.h"
+#include "layer/vulkan/pipeline_words.h"
+#include "layer/vulkan/shader_library.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -199,8 +204,8 @@ size_t PipelineCache::Hash::operator()(const PipelineKey& key) const {
 }
 
 PipelineCache::~PipelineCache() {
-  for (const auto& [key, pipeline] : pipelines_)
-    device_.fn().vkDestroyPipeline(device_.handle(), pipeline, nullptr);
+  pipelines_.visit(
+      [this](const Made& made) { device_.fn().vkDestroyPipeline(device_.handle(), made.pipeline, nullptr); });
 }
 
 VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, const Shader& fragment) {
@@ -214,8 +219,8 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
     if (!info.renderPass) return VK_NULL_HANDLE;
   }
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult result =
-      device_.fn().vkCreateGraphicsPipelines(device_.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  const VkResult result = device_.fn().vkCreateGraphicsPipelines(
+      device_.handle(), device_.driverCache().handle(), 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS) {
     std::fprintf(stderr, "anteroom: a pipeline cannot be made (VkResult %d): check the Vulkan driver\n",
                  result);
@@ -226,13 +231,43 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
   return pipeline;
 }
 
+bool PipelineCache::create(const PipelineKey& key, const Shader& vertex, const Shader& fragment, Made& made) {
+  const auto start = std::chrono::steady_clock::now();
+  made.pipeline = create(key, vertex, fragment);
+  const auto time = std::chrono::steady_clock::now() - start;
+  made.microseconds = std::chrono::duration_cast<std::chrono::microseconds>(time).count();
+  return made.pipeline;
+}
+
 VkPipeline PipelineCache::get(const PipelineKey& key, const Shader& vertex, const Shader& fragment) {
-  const std::lock_guard lock(mutex_);
-  const auto found = pipelines_.find(key);
-  if (found != pipelines_.end()) return found->second;
-  const VkPipeline made = create(key, vertex, fragment);
-  if (made) pipelines_.emplace(key, made);
-  return made;
+  Made& made = pipelines_.get(key, [&](const PipelineKey&, Made& value) {
+    ++awaited_;
+    return create(key, vertex, fragment, value);
+  });
+  if (made.pipeline && !made.used.load(std::memory_order_relaxed) && !made.used.exchange(true))
+    noteUse(key, vertex, fragment, made.microseconds);
+  return made.pipeline;
+}
+
+bool PipelineCache::makeAhead(const PipelineKey& key, const Shader& vertex, const Shader& fragment) {
+  const Made& made = pipelines_.get(key, [&](const PipelineKey&, Made& value) {
+    const bool good = create(key, vertex, fragment, value);
+    ahead_ += good;
+    return good;
+  });
+  return made.pipeline;
+}
+
+void PipelineCache::noteUse(const PipelineKey& key, const Shader& vertex, const Shader& fragment,
+                            int64_t microseconds) {
+  gen::ShaderCache& cache = gen::ShaderCache::process();
+  if (!cache.wanted()) return;
+  gen::PipelineRow row;
+  row.vertex = gen::wordsOf(vertex.kind, vertex.key);
+  row.fragment = gen::wordsOf(fragment.kind, fragment.key);
+  row.state = describe(key, device_.features());
+  row.createMicroseconds = microseconds;
+  cache.use(std::move(row));
 }
 
 }  // namespace anteroom::vulkan

@@ -1,11 +1,14 @@
 #include "layer/vulkan/shader_library.h"
 
+#include <unistd.h>
+
 #include <chrono>
 #include <cstdio>
-#include <span>
 #include <string_view>
 #include <thread>
 
+#include "gen/cache/quiet_thread.h"
+#include "gen/cache/shader_cache.h"
 #include "layer/vulkan/device.h"
 
 namespace anteroom::vulkan {
@@ -15,27 +18,36 @@ namespace {
 class WarmUp {
  public:
   WarmUp()
-      : thread_([&cache = gen::ShaderCache::process()] {
+      : thread_(gen::quietThread([&cache = gen::ShaderCache::process()] {
           if (!cache.filled()) gen::warmCompiler();
-        }) {}
+        })) {}
   ~WarmUp() {
-    if (thread_.joinable()) thread_.join();
+    if (!thread_.joinable()) return;
+    // A forked process has not got the thread.
+    if (getpid() == process_)
+      thread_.join();
+    else
+      thread_.detach();
   }
 
  private:
+  const int process_ = getpid();
   std::thread thread_;
 };
 
 }  // namespace
 
 ShaderLibrary::~ShaderLibrary() {
-  const auto destroy = [&](const auto& map) {
-    for (const auto& [key, shader] : map)
-      device_.fn().vkDestroyShaderModule(device_.handle(), shader.module, nullptr);
+  const auto destroy = [&](const Shader& shader) {
+    device_.fn().vkDestroyShaderModule(device_.handle(), shader.module, nullptr);
   };
-  destroy(vertex_);
-  destroy(fragment_);
-  destroy(own_);
+  vertex_.visit(destroy);
+  fragment_.visit(destroy);
+  own_.visit(destroy);
+}
+
+void ShaderLibrary::flush() {
+  gen::ShaderCache::process().flush();
 }
 
 void ShaderLibrary::warmUp() {
@@ -58,46 +70,54 @@ std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes ke
   return std::move(result.spirv);
 }
 
-Shader ShaderLibrary::create(gen::KeyKind kind, gen::KeyBytes key) {
+void ShaderLibrary::create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader) {
+  shader.kind = kind;
+  shader.key = key;
   std::vector<uint32_t> spirv = gen::ShaderCache::process().find(kind, key);
   if (!spirv.empty()) ++fromCache_;
   if (spirv.empty()) spirv = compile(kind, key);
-  if (spirv.empty()) return {};
+  if (spirv.empty()) return;
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = spirv.size() * sizeof(uint32_t);
   info.pCode = spirv.data();
-  Shader shader;
   if (device_.fn().vkCreateShaderModule(device_.handle(), &info, nullptr, &shader.module) != VK_SUCCESS)
-    return {};
+    return;
   device_.countObject();
   shader.id = nextId_++;
-  return shader;
 }
 
 const Shader* ShaderLibrary::get(const gen::VertexKey& key) {
-  const std::lock_guard lock(mutex_);
-  auto found = vertex_.find(key);
-  if (found == vertex_.end())
-    found = vertex_.emplace(key, create(gen::KeyKind::Vertex, gen::bytesOf(key))).first;
-  return found->second.module ? &found->second : nullptr;
+  const Shader& shader = vertex_.get(key, [this](const gen::VertexKey& kept, Shader& made) {
+    create(gen::KeyKind::Vertex, gen::bytesOf(kept), made);
+    return true;
+  });
+  return shader.module ? &shader : nullptr;
 }
 
 const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
-  const std::lock_guard lock(mutex_);
-  auto found = fragment_.find(key);
-  if (found == fragment_.end())
-    found = fragment_.emplace(key, create(gen::KeyKind::Fragment, gen::bytesOf(key))).first;
-  return found->second.module ? &found->second : nullptr;
+  const Shader& shader = fragment_.get(key, [this](const gen::FragmentKey& kept, Shader& made) {
+    create(gen::KeyKind::Fragment, gen::bytesOf(kept), made);
+    return true;
+  });
+  return shader.module ? &shader : nullptr;
 }
 
 const Shader* ShaderLibrary::get(gen::Stage stage, const char* text) {
-  const std::lock_guard lock(mutex_);
-  auto found = own_.find(text);
-  if (found == own_.end()) {
+  const Shader& shader = own_.get(text, [&](const char* kept, Shader& made) {
     const auto kind = stage == gen::Stage::Vertex ? gen::KeyKind::VertexText : gen::KeyKind::FragmentText;
-    found = own_.emplace(text, create(kind, std::as_bytes(std::span(std::string_view(text))))).first;
-  }
-  return found->second.module ? &found->second : nullptr;
+    create(kind, std::as_bytes(std::span(std::string_view(kept))), made);
+    return true;
+  });
+  return shader.module ? &shader : nullptr;
+}
+
+const Shader* ShaderLibrary::get(gen::Stage stage, const std::string& words) {
+  for (const OwnShader& own : ownShaders())
+    if (own.stage == stage && words == own.text) return get(stage, own.text);
+  gen::VertexKey vertex;
+  gen::FragmentKey fragment;
+  if (stage == gen::Stage::Vertex) return gen::parse(words, vertex) ? get(vertex) : nullptr;
+  return gen::parse(words, fragment) ? get(fragment) : nullptr;
 }
 
 }  // namespace anteroom::vulkan

@@ -4,13 +4,13 @@
 #include <volk.h>
 
 #include <atomic>
-#include <cstring>
 #include <memory>
-#include <mutex>
+#include <span>
 #include <string>
 #include <unordered_map>
 
-#include "gen/cache/shader_cache.h"
+#include "gen/cache/rows.h"
+#include "layer/vulkan/made_once.h"
 
 namespace anteroom::vulkan {
 
@@ -19,7 +19,17 @@ class VulkanDevice;
 struct Shader {
   VkShaderModule module = VK_NULL_HANDLE;
   uint32_t id = 0;  // unlike any other shader's on this device
+  gen::KeyKind kind = gen::KeyKind::Vertex;
+  gen::KeyBytes key;  // lives as long as the shader
 };
+
+// A shader that no key makes; GLSL with static lifetime.
+struct OwnShader {
+  gen::Stage stage;
+  const char* text;
+};
+// All that there are.
+std::span<const OwnShader> ownShaders();
 
 // Thread-safe. Shaders live as long as the device; a pointer to one stays valid.
 class ShaderLibrary {
@@ -31,13 +41,15 @@ class ShaderLibrary {
   // start. Once a process.
   static void warmUp();
   // Writes what is new to the shader cache.
-  static void flush() { gen::ShaderCache::process().flush(); }
+  static void flush();
 
   // Null: the shader cannot be made; the reason was logged.
   const Shader* get(const gen::VertexKey& key);
   const Shader* get(const gen::FragmentKey& key);
-  // The renderer's own: `text` is GLSL with static lifetime.
+  // One of ownShaders().
   const Shader* get(gen::Stage stage, const char* text);
+  // By gen::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
+  const Shader* get(gen::Stage stage, const std::string& words);
 
   uint64_t compiled() const { return compiled_; }
   uint64_t fromCache() const { return fromCache_; }
@@ -48,22 +60,17 @@ class ShaderLibrary {
     size_t operator()(const Key& key) const { return gen::hash(key); }
   };
   template <class Key>
-  struct KeyEqual {
-    bool operator()(const Key& a, const Key& b) const { return !std::memcmp(&a, &b, sizeof(Key)); }
-  };
-  template <class Key>
-  using Map = std::unordered_map<Key, Shader, KeyHash<Key>, KeyEqual<Key>>;
+  using Map = MadeOnce<Key, Shader, KeyHash<Key>>;
 
-  Shader create(gen::KeyKind kind, gen::KeyBytes key);
+  void create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader);
   // Empty: it does not compile.
   std::vector<uint32_t> compile(gen::KeyKind kind, gen::KeyBytes key);
 
   VulkanDevice& device_;
-  std::mutex mutex_;
   Map<gen::VertexKey> vertex_;
   Map<gen::FragmentKey> fragment_;
-  std::unordered_map<const char*, Shader> own_;
-  uint32_t nextId_ = 1;
+  MadeOnce<const char*, Shader, std::hash<const char*>> own_;
+  std::atomic<uint32_t> nextId_{1};
   std::atomic<uint64_t> compiled_{0}, fromCache_{0};
 };
 

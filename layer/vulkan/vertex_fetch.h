@@ -7,7 +7,7 @@
 
 #include "layer/render/renderer.h"
 #include "layer/vulkan/buffer.h"
-#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/pipeline_key.h"
 #include "layer/vulkan/stream.h"
 
 namespace anteroom::vulkan {

@@ -2,9 +2,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "layer/render/renderer.h"
+
+namespace anteroom::gen {
+struct PipelineRow;
+}
 
 namespace anteroom::vulkan {
 
@@ -16,6 +21,10 @@ struct DeviceOptions {
 
 // Null: no usable Vulkan device; `error` then says why and what to do.
 std::unique_ptr<render::Device> createDevice(const DeviceOptions& options, std::string& error);
+
+// Makes pipelines of the shader cache, as a program would before it draws, and saves what the driver keeps of
+// them. `device` is of createDevice(). How many are for it.
+size_t makePipelines(render::Device& device, std::span<const gen::PipelineRow> rows);
 
 // Messages of the validation layer so far in this process.
 unsigned validationMessages();

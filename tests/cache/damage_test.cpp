@@ -58,7 +58,7 @@ TEST(Damage, EveryByteFlippedOnceGivesNoWrongShader) {
   const Folder folder;
   fill(folder.file());
   const std::string good = contents(folder.file());
-  ASSERT_LT(good.size(), 32u << 10);
+  ASSERT_LT(good.size(), 64u << 10);
   int hits = 0;
   for (size_t at = 0; at < good.size(); ++at) {
     std::string bad = good;
@@ -147,7 +147,7 @@ TEST(Damage, SomebodyElsesDatabaseIsKeptAside) {
 TEST(Damage, ANewerFileIsLeftAlone) {
   const Folder folder;
   fill(folder.file());
-  run(folder.file(), "PRAGMA user_version = 2");
+  run(folder.file(), "PRAGMA user_version = 3");
   testing::internal::CaptureStderr();
   {
     gen::ShaderCache cache(folder.file(), kNoLimit);
@@ -158,20 +158,44 @@ TEST(Damage, ANewerFileIsLeftAlone) {
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_NE(said.find("newer version"), std::string::npos) << said;
   EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
-  run(folder.file(), "PRAGMA user_version = 1");
+  run(folder.file(), "PRAGMA user_version = 2");
   EXPECT_EQ(useOnce(folder.file()), kRows);
+}
+
+// As version 1 of the file was.
+TEST(Damage, AnOlderFileIsBroughtUpToDate) {
+  const Folder folder;
+  fill(folder.file());
+  run(folder.file(),
+      "CREATE TABLE old(id INTEGER PRIMARY KEY, kind INTEGER NOT NULL, generator TEXT NOT NULL,"
+      " created INTEGER NOT NULL, used INTEGER NOT NULL, uses INTEGER NOT NULL, compile_us INTEGER NOT NULL,"
+      " checksum INTEGER NOT NULL, key BLOB NOT NULL, description TEXT NOT NULL, spirv BLOB NOT NULL,"
+      " glsl TEXT NOT NULL);"
+      "INSERT INTO old SELECT id, kind, generator, created, used, uses, compile_us, checksum, key, "
+      "description,"
+      " spirv, glsl FROM shader;"
+      "DROP TABLE shader; DROP TABLE pipeline; DROP TABLE program; DROP TABLE usage;"
+      "ALTER TABLE old RENAME TO shader; CREATE INDEX shader_used ON shader(used); PRAGMA user_version = 1");
+  gen::Store store;
+  EXPECT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Older);
+  EXPECT_EQ(useOnce(folder.file()), kRows);
+  EXPECT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
 }
 
 TEST(Damage, RowsOfAnotherGeneratorAreMadeAgain) {
   const Folder folder;
   fill(folder.file());
-  run(folder.file(), "UPDATE shader SET generator = 'another', uses = 9");
+  run(folder.file(), "UPDATE shader SET generator = 'another', number = number + 1");
   gen::ShaderCache cache(folder.file(), kNoLimit);
   EXPECT_FALSE(cache.filled());
   EXPECT_EQ(use(cache), 0);
   cache.flush();
   EXPECT_EQ(use(cache), kRows);
   EXPECT_EQ(cache.counts().damaged, 0u);
+  cache.close();
+  gen::Store store;
+  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  EXPECT_EQ(store.database().ask("SELECT count(*) FROM shader WHERE generator = 'another'", 0), kRows);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <random>
+#include <set>
 
 #include "tests/cache/rows.h"
 
@@ -35,35 +36,61 @@ TEST(Processes, EightWriteAtOnce) {
     }
 }
 
+// A child that stores row after row, and tells which ones are committed, until it is killed.
+int storeUntilKilled(const std::filesystem::path& file, int next, int told) {
+  gen::ShaderCache cache(file, kNoLimit);
+  for (int i = next;; ++i) {
+    storeRow(cache, i, 500);
+    cache.use(pipelineOf(i));
+    cache.flush();
+    if (cache.counts().written == 0) continue;
+    if (write(told, &i, sizeof i) != sizeof i) return 1;
+  }
+}
+
+// The pipelines of rows before `end` that are there.
+int pipelinesThere(const std::filesystem::path& file, int end) {
+  gen::Store store;
+  EXPECT_EQ(store.open(file, gen::Store::Mode::Read), gen::Opened::Ok);
+  std::set<int64_t> found;
+  EXPECT_TRUE(store.visitPipelines([&](int64_t id, gen::PipelineRow&, const std::string& why) {
+    EXPECT_EQ(why, "");
+    found.insert(id);
+  }));
+  int there = 0;
+  for (int i = 0; i < end; ++i) there += static_cast<int>(found.count(pipelineOf(i).id()));
+  return there;
+}
+
 TEST(Processes, AKillLosesNoCommittedRow) {
   const Folder folder;
   std::mt19937 random(1);
-  int next = 0;
-  for (int round = 0; round < 40; ++round) {
+  int next = 0, told = 0;
+  for (int round = 0; round < 200; ++round) {
     int pipe[2];
     ASSERT_EQ(::pipe(pipe), 0);
-    const int child = fork([&] {
-      gen::ShaderCache cache(folder.file(), kNoLimit);
-      for (int i = next;; ++i) {
-        storeRow(cache, i, 500);
-        cache.flush();
-        if (cache.counts().written == 0) continue;
-        if (write(pipe[1], &i, sizeof i) != sizeof i) return 1;
-      }
-    });
-    usleep(1000 + random() % 40000);
+    const int begun = next;
+    const int child = fork([&] { return storeUntilKilled(folder.file(), begun, pipe[1]); });
+    usleep(500 + random() % 20000);
     kill(child, SIGKILL);
     EXPECT_EQ(join(child), -SIGKILL);
     close(pipe[1]);
-    for (int i; read(pipe[0], &i, sizeof i) == sizeof i;) next = i + 1;
+    for (int i; read(pipe[0], &i, sizeof i) == sizeof i;) {
+      next = i + 1;
+      ++told;
+    }
     close(pipe[0]);
     gen::ShaderCache cache(folder.file(), kNoLimit);
-    for (int i = 0; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500)) << "round " << round;
+    for (int i = begun; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500)) << "round " << round;
     EXPECT_EQ(cache.counts().damaged, 0u);
     ++next;  // it may or may not be there
     storeRow(cache, next - 1, 500);
+    cache.use(pipelineOf(next - 1));
   }
-  EXPECT_GT(next, 40);
+  EXPECT_GT(told, 100);
+  gen::ShaderCache cache(folder.file(), kNoLimit);
+  for (int i = 0; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500));
+  EXPECT_EQ(pipelinesThere(folder.file(), next), next);
 }
 
 TEST(Processes, AForkedChildLeavesTheCacheAlone) {

@@ -47,6 +47,15 @@ std::vector<uint32_t> findRow(gen::ShaderCache& cache, int i) {
   return cache.find(gen::KeyKind::VertexText, keyBytes(key));
 }
 
+gen::PipelineRow pipelineOf(int i) {
+  gen::PipelineRow row;
+  row.vertex = "vertex " + std::to_string(i);
+  row.fragment = "fragment";
+  row.state = "primitive=triangles";
+  row.createMicroseconds = 100 + i;
+  return row;
+}
+
 std::string contents(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();

@@ -32,6 +32,9 @@ std::vector<uint32_t> spirvOf(int i, int words = 64);
 void storeRow(gen::ShaderCache& cache, int i, int words = 64);
 std::vector<uint32_t> findRow(gen::ShaderCache& cache, int i);
 
+// Pipeline number i, unlike every other.
+gen::PipelineRow pipelineOf(int i);
+
 std::string contents(const std::filesystem::path& file);
 void replace(const std::filesystem::path& file, const std::string& bytes);
 

@@ -43,7 +43,7 @@ TEST(Store, WhatIsStoredIsFoundByTheNextCache) {
   gen::Store store;
   ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
   int rows = 0;
-  EXPECT_TRUE(store.visit([&](int64_t id, gen::Row& row, const std::string& why) {
+  EXPECT_TRUE(store.visitShaders([&](int64_t, int64_t id, gen::ShaderRow& row, const std::string& why) {
     ++rows;
     EXPECT_EQ(why, "");
     EXPECT_EQ(id, row.id());

@@ -19,8 +19,13 @@ class Tool : public testing::Test {
       state.fog.enabled = fog;
       const auto fragment = gen::canonicaliseFragment(state, gen::Profile{});
       add(cache, gen::KeyKind::Fragment, gen::bytesOf(fragment));
-      add(cache, gen::KeyKind::Vertex,
-          gen::bytesOf(gen::canonicaliseVertex(state, fragment, gen::Profile{})));
+      const auto vertex = gen::canonicaliseVertex(state, fragment, gen::Profile{});
+      add(cache, gen::KeyKind::Vertex, gen::bytesOf(vertex));
+      gen::PipelineRow pipeline;
+      pipeline.vertex = describe(vertex);
+      pipeline.fragment = describe(fragment);
+      pipeline.state = "primitive=triangles color=R8G8B8A8_UNORM samples=1 dynamic=123v";
+      cache.use(pipeline);
     }
   }
 
@@ -65,6 +70,53 @@ TEST_F(Tool, ListsShowsAndCompares) {
   EXPECT_EQ(json::parse(tool({"stats"}).out)["rows"], 4);
 }
 
+TEST_F(Tool, ShowsAndExplainsPipelines) {
+  const json rows = json::parse(tool({"list", "--pipelines"}).out);
+  ASSERT_EQ(rows.size(), 2u);
+  const std::string first = rows[0]["key"], second = rows[1]["key"];
+  const json shown = json::parse(tool({"show", first}).out);
+  EXPECT_EQ(shown["topics"]["framebuffer"], "color=R8G8B8A8_UNORM samples=1");
+  EXPECT_EQ(tool({"show", shown["vertex_key"]}).status, 0);
+  const Output compared = tool({"diff", first, second});
+  EXPECT_EQ(compared.status, 1);
+  EXPECT_EQ(json::parse(compared.out)["state"].size(), 1u) << compared.out;
+  const json why = json::parse(tool({"explain", "--program", "cache_tests"}).out)["pipeline"];
+  EXPECT_EQ(why["pipelines"], 2);
+  EXPECT_EQ(why["splits"][0]["state"], "fog");
+  EXPECT_EQ(why["splits"][0]["pipelines_without"], 1);
+  const Output none = tool({"explain", "--program", "nobody"});
+  EXPECT_EQ(none.status, 1);
+  EXPECT_NE(none.err.find("cache_tests"), std::string::npos) << none.err;
+}
+
+TEST_F(Tool, WarmsWhatAnotherGeneratorLeft) {
+  damage(
+      "UPDATE shader SET generator = 'another', number = number + 1, id = id + 1, key = x'00', checksum = 0");
+  const Output warmed = tool({"warm"});
+  const json answer = json::parse(warmed.out);
+  EXPECT_EQ(warmed.status, 0) << warmed.err;
+  EXPECT_EQ(answer["compiled"], 4) << warmed.out;
+  EXPECT_EQ(answer["pipelines"].get<int>() + answer["others"].get<int>(), 2) << warmed.out;
+  const json again = json::parse(tool({"warm"}).out);
+  EXPECT_EQ(again["compiled"], 0);
+  EXPECT_EQ(again["known"], 4);
+}
+
+TEST_F(Tool, ColorsForTerminalsAndThoseWhoAsk) {
+  const json rows = json::parse(tool({"list"}).out);
+  const auto show = [&](const char* color) {
+    return runProgram(CACHE_TOOL, {"NO_COLOR=1"},
+                      {"--file", folder_.file(), "show", "--color", color, rows[0]["key"].get<std::string>()})
+        .out;
+  };
+  std::string colored = show("always");
+  EXPECT_NE(colored.find("\033[34m"), std::string::npos);
+  EXPECT_EQ(show("auto").find('\033'), std::string::npos);
+  for (size_t at; (at = colored.find('\033')) != std::string::npos;)
+    colored.erase(at, colored.find('m', at) - at + 1);
+  EXPECT_EQ(colored, show("never")) << "colors change no letter";
+}
+
 TEST_F(Tool, VerifiesAndRepairs) {
   EXPECT_EQ(tool({"verify"}).status, 0);
   damage(
@@ -76,7 +128,8 @@ TEST_F(Tool, VerifiesAndRepairs) {
   EXPECT_EQ(tool({"verify", "--repair"}).status, 0);
   EXPECT_EQ(tool({"verify"}).status, 0);
   damage("UPDATE shader SET key = x'ff'");
-  EXPECT_EQ(json::parse(tool({"prune"}).out)["removed"], 4);
+  damage("UPDATE pipeline SET state = 'x'");
+  EXPECT_EQ(json::parse(tool({"prune"}).out)["removed"], 6);
 }
 
 TEST_F(Tool, CachesTravel) {
@@ -85,8 +138,13 @@ TEST_F(Tool, CachesTravel) {
   EXPECT_EQ(tool({"export", keys}).status, 0);
   EXPECT_EQ(json::parse(toolOn(there, {"import", keys}).out)["imported"], 4);
   EXPECT_EQ(toolOn(there, {"verify"}).status, 0);
-  EXPECT_EQ(json::parse(toolOn(both, {"merge", there, folder_.file()}).out)["merged"], 8);
+  EXPECT_EQ(json::parse(toolOn(both, {"merge", there, folder_.file()}).out)["merged"], 12);
   EXPECT_EQ(json::parse(toolOn(both, {"stats"}).out)["rows"], 4);
+  // The program that needed them is known there, too.
+  const json here = json::parse(tool({"stats"}).out), stats = json::parse(toolOn(there, {"stats"}).out);
+  EXPECT_EQ(stats["pipelines"], 2);
+  EXPECT_EQ(stats["programs"], here["programs"]);
+  EXPECT_EQ(json::parse(toolOn(there, {"list"}).out).size(), 4u);
   replace(keys,
           R"({"format": "anteroom-cache-keys", "version": 1, "keys": [1, {"kind": "vertex", "key": "x"}]})");
   const Output refused = toolOn(there, {"import", keys});

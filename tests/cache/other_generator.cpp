@@ -1,0 +1,10 @@
+// A program that holds this has another generator version.
+#include "gen/cache/generator_version.h"
+
+namespace anteroom::gen {
+
+std::string_view generatorVersion() {
+  return "0123456789abcdef";
+}
+
+}  // namespace anteroom::gen
