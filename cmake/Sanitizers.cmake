@@ -1,5 +1,13 @@
 # ANTEROOM_SANITIZE: what goes to -fsanitize=, for everything that is built ("address,undefined" or "thread").
 set(ANTEROOM_SANITIZE "" CACHE STRING "sanitizers to build with")
+# ANTEROOM_FUZZ: also tests/cache/fuzz's target for libFuzzer, with address and undefined; only with clang.
+option(ANTEROOM_FUZZ "build the fuzzer" OFF)
+if(ANTEROOM_FUZZ)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    message(FATAL_ERROR "ANTEROOM_FUZZ needs clang: -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_C_COMPILER=clang")
+  endif()
+  set(ANTEROOM_SANITIZE fuzzer-no-link,address,undefined)
+endif()
 if(ANTEROOM_SANITIZE)
   add_compile_options(-fsanitize=${ANTEROOM_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${ANTEROOM_SANITIZE})
