@@ -108,7 +108,7 @@ void Cellar::addBrazier() {
     const dmat4 turn = placed(kBrazier, i * glm::two_pi<double>() / 12);
     metal_.append(room::tube({{0.365, 0.69, 0}, {0.385, 0.80, 0}, {0.43, 0.90, 0}}, 0.008, 0.04, 6, 2), turn);
   }
-  light_.add(UprightCylinder{kBrazier + dvec3(0, 0.54, 0), 0.33, 0.10});
+  light_.add(room::UprightCylinder{kBrazier + dvec3(0, 0.54, 0), 0.33, 0.10});
 }
 
 // A bed of coals and four burning logs.
@@ -150,18 +150,18 @@ void Cellar::addBarrels() {
   };
   for (const dvec3 foot : {dvec3(-2.55, 0, -2.45), dvec3(-1.80, 0, -2.58), dvec3(-2.66, 0, -1.62)}) {
     put(placed(foot, foot.x * 7));
-    light_.add(UprightCylinder{foot, 0.285, kBarrelHeight - 0.03});
+    light_.add(room::UprightCylinder{foot, 0.285, kBarrelHeight - 0.03});
   }
   // One lies on top of two.
   const dvec3 lyingAt(-2.30, kBarrelHeight + 0.31, -2.93);
   put(placed(lyingAt, 0.06) * lying());
-  light_.add(Block{lyingAt + dvec3(0, 0, 0.43), {0.25, 0.25, 0.40}});
+  light_.add(room::Block{lyingAt + dvec3(0, 0, 0.43), {0.25, 0.25, 0.40}});
 }
 
 void Cellar::addCrates() {
   const auto put = [this](double side, const dvec3& foot, double turn) {
     wooden_.append(room::crate(side), placed(foot + dvec3(0, side / 2, 0), turn));
-    light_.add(Block{foot + dvec3(0, side / 2, 0), dvec3(side / 2 - 0.05), turn});
+    light_.add(room::Block{foot + dvec3(0, side / 2, 0), dvec3(side / 2 - 0.05), turn});
   };
   put(0.74, {2.45, 0, -2.35}, 0.12);
   put(0.50, {2.48, 0.74, -2.42}, -0.30);
@@ -178,7 +178,7 @@ void Cellar::addPosts() {
       wooden_.append(
           room::box({0.19, height, 0.19}, 0.1, 1 / room::kWoodExtent, {0.3 * number, 0.2 * number}),
           placed({x, height / 2, z}));
-      light_.add(Block{{x, height / 2, z}, {0.085, height / 2, 0.085}});
+      light_.add(room::Block{{x, height / 2, z}, {0.085, height / 2, 0.085}});
       for (double side : {-1.0, 1.0}) {
         dmat4 brace = placed({x, height - 0.26, z + side * 0.26});
         brace = glm::rotate(brace, side * glm::quarter_pi<double>(), dvec3(1, 0, 0));
@@ -188,7 +188,7 @@ void Cellar::addPosts() {
     const double length = kRoomMax.z - kRoomMin.z;
     wooden_.append(room::box({0.22, 0.2, length}, 0.2, 1 / room::kWoodExtent, {0.17 * number, 0.4}),
                    placed({x, kRoomMax.y - 0.1, (kRoomMin.z + kRoomMax.z) / 2}));
-    light_.add(Block{{x, kRoomMax.y - 0.1, 0.6}, {0.10, 0.09, length / 2}});
+    light_.add(room::Block{{x, kRoomMax.y - 0.1, 0.6}, {0.10, 0.09, length / 2}});
   }
 }
 
@@ -207,13 +207,13 @@ void Cellar::addFirewood() {
       wooden_.append(log(r, kLength, ++number), across);
     }
   }
-  light_.add(Block{corner + dvec3(kLength / 2, 0.13, 0.30), {kLength / 2 - 0.05, 0.11, 0.30}});
-  light_.add(Block{corner + dvec3(kLength / 2, 0.34, 0.30), {kLength / 2 - 0.05, 0.11, 0.13}});
+  light_.add(room::Block{corner + dvec3(kLength / 2, 0.13, 0.30), {kLength / 2 - 0.05, 0.11, 0.30}});
+  light_.add(room::Block{corner + dvec3(kLength / 2, 0.34, 0.30), {kLength / 2 - 0.05, 0.11, 0.13}});
   // One has been carried to the fire.
   wooden_.append(log(kRadius * 0.9, kLength, 30), placed({0.75, kRadius * 0.9, -0.05}, 0.8) * lying());
   const dvec3 middle =
       dvec3(std::sin(0.8), 0, std::cos(0.8)) * (kLength / 2) + dvec3(0.75, kRadius * 0.8, -0.05);
-  light_.add(Block{middle, {kRadius * 0.7, kRadius * 0.6, kLength / 2}, 0.8});
+  light_.add(room::Block{middle, {kRadius * 0.7, kRadius * 0.6, kLength / 2}, 0.8});
 }
 
 void Cellar::addStool() {
@@ -226,15 +226,15 @@ void Cellar::addStool() {
     wooden_.append(room::tube({{0.10, 0.405, 0}, {0.14, 0.22, 0}, {0.185, 0.0, 0}}, 0.018, 0.02, 8, 2),
                    placed(foot, 1 + i * glm::two_pi<double>() / 3));
     const double angle = 1 + i * glm::two_pi<double>() / 3;
-    light_.add(
-        UprightCylinder{foot + dvec3(0.165 * std::cos(angle), 0, -0.165 * std::sin(angle)), 0.012, 0.15});
+    light_.add(room::UprightCylinder{foot + dvec3(0.165 * std::cos(angle), 0, -0.165 * std::sin(angle)),
+                                     0.012, 0.15});
   }
-  light_.add(UprightCylinder{foot + dvec3(0, 0.40, 0), 0.165, 0.03});
+  light_.add(room::UprightCylinder{foot + dvec3(0, 0.40, 0), 0.165, 0.03});
   // A bottle beside it.
   const std::vector<dvec2> bottle = {{0.0, 0.0},    {0.036, 0.0},  {0.04, 0.02},  {0.04, 0.17},
                                      {0.016, 0.22}, {0.014, 0.29}, {0.017, 0.30}, {0.0, 0.30}};
   bottles_.append(room::lathe(bottle, 20, 28), placed(foot + dvec3(-0.28, 0, 0.10)));
-  light_.add(UprightCylinder{foot + dvec3(-0.28, 0, 0.10), 0.030, 0.17});
+  light_.add(room::UprightCylinder{foot + dvec3(-0.28, 0, 0.10), 0.030, 0.17});
 }
 
 void Cellar::addShelf() {
@@ -246,7 +246,7 @@ void Cellar::addShelf() {
     brace = glm::rotate(brace, glm::radians(48.0), dvec3(1, 0, 0));
     wooden_.append(board({0.04, 0.26, 0.035}, 92), brace);
   }
-  light_.add(Block{center, {0.74, 0.012, 0.11}});
+  light_.add(room::Block{center, {0.74, 0.012, 0.11}});
   const std::vector<dvec2> bottle = {{0.0, 0.0},     {0.040, 0.0},  {0.044, 0.02}, {0.044, 0.18},
                                      {0.017, 0.235}, {0.014, 0.30}, {0.018, 0.31}, {0.0, 0.31}};
   for (double x : {-0.58, -0.46, -0.33, -0.05, 0.42, 0.55}) {

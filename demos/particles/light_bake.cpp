@@ -11,29 +11,6 @@ using glm::dvec3;
 
 constexpr int kFlames = 14;
 
-// Whether the segment from + t * way, t in (0,1), is inside low..high of one coordinate; narrows t.
-bool slab(double from, double way, double low, double high, dvec2& t) {
-  if (std::abs(way) < 1e-12) return from > low && from < high;
-  const double a = (low - from) / way;
-  const double b = (high - from) / way;
-  t = {std::max(t.x, std::min(a, b)), std::min(t.y, std::max(a, b))};
-  return t.x < t.y;
-}
-
-bool meets(const UprightCylinder& c, const dvec3& from, const dvec3& way) {
-  dvec2 t(0, 1);
-  if (!slab(from.y, way.y, c.foot.y, c.foot.y + c.height, t)) return false;
-  const dvec2 start(from.x - c.foot.x, from.z - c.foot.z);
-  const dvec2 step(way.x, way.z);
-  const double a = glm::dot(step, step);
-  const double b = glm::dot(start, step);
-  const double outside = glm::dot(start, start) - c.radius * c.radius;
-  if (a < 1e-12) return outside < 0;
-  const double root = b * b - a * outside;
-  if (root <= 0) return false;
-  return std::max(t.x, (-b - std::sqrt(root)) / a) < std::min(t.y, (-b + std::sqrt(root)) / a);
-}
-
 }  // namespace
 
 LightBake::LightBake(dvec3 low, dvec3 high, dvec3 fire) : low_(low), high_(high) {
@@ -43,30 +20,6 @@ LightBake::LightBake(dvec3 low, dvec3 high, dvec3 fire) : low_(low), high_(high)
     flames_.push_back(fire +
                       dvec3(radius * std::cos(2.4 * i), 0.08 + 0.75 * along, radius * std::sin(2.4 * i)));
   }
-}
-
-void LightBake::add(const Block& block) {
-  blocks_.push_back({block.center, block.half, std::cos(block.turn), std::sin(block.turn)});
-}
-
-bool LightBake::visible(const dvec3& from, const dvec3& to) const {
-  const dvec3 way = to - from;
-  for (const UprightCylinder& cylinder : cylinders_) {
-    if (meets(cylinder, from, way)) return false;
-  }
-  return std::none_of(blocks_.begin(), blocks_.end(), [&](const PlacedBlock& block) {
-    // Turned back into the block's axes.
-    const auto local = [&block](const dvec3& v) {
-      return dvec3(block.cosine * v.x - block.sine * v.z, v.y, block.sine * v.x + block.cosine * v.z);
-    };
-    const dvec3 start = local(from - block.center);
-    const dvec3 step = local(way);
-    dvec2 t(0, 1);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!slab(start[axis], step[axis], -block.half[axis], block.half[axis], t)) return false;
-    }
-    return true;
-  });
 }
 
 // How much of the room's own dim light gets to a point: less in corners and beside what stands there.
@@ -79,15 +32,14 @@ double LightBake::openness(const dvec3& point, const dvec3& normal) const {
     }
   }
   if (normal.y < 0.9 || point.y > 0.02) return open;
-  for (const UprightCylinder& c : cylinders_) {
+  for (const room::UprightCylinder& c : obstacles_.cylinders()) {
     const double away =
         std::max(glm::distance(dvec2(point.x, point.z), dvec2(c.foot.x, c.foot.z)) - c.radius, 0.0);
     open *= 1 - 0.75 * std::exp(-(away + 2 * c.foot.y) / 0.10);
   }
-  for (const PlacedBlock& b : blocks_) {
-    const dvec3 d = point - b.center;
-    const dvec2 local(b.cosine * d.x - b.sine * d.z, b.sine * d.x + b.cosine * d.z);
-    const double away = glm::length(glm::max(glm::abs(local) - dvec2(b.half.x, b.half.z), dvec2(0)));
+  for (const room::Obstacles::PlacedBlock& b : obstacles_.blocks()) {
+    const dvec3 beside = glm::abs(b.local(point - b.center)) - b.half;
+    const double away = glm::length(glm::max(dvec2(beside.x, beside.z), dvec2(0)));
     open *= 1 - 0.75 * std::exp(-(away + 2 * std::max(b.center.y - b.half.y, 0.0)) / 0.10);
   }
   return open;
@@ -99,7 +51,7 @@ dvec3 LightBake::halfLight(const dvec3& point, const dvec3& normal) const {
   for (const dvec3& flame : flames_) {
     const dvec3 toFlame = flame - start;
     const double facing = glm::dot(normal, toFlame);
-    if (facing <= 0 || !visible(start, flame)) continue;
+    if (facing <= 0 || obstacles_.blocked(start, toFlame)) continue;
     const double squared = glm::dot(toFlame, toFlame) + 0.10;
     direct += facing / (squared * std::sqrt(squared));
   }

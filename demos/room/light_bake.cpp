@@ -22,31 +22,6 @@ constexpr int kSunRays = 12;
 constexpr int kLampRays = 6;
 constexpr int kSkyPatches = 4;  // an opening each way
 
-// Narrows t to where from + t * way is between low and high; false if that is nowhere.
-bool slab(double from, double way, double low, double high, dvec2& t) {
-  if (std::abs(way) < 1e-12) return from > low && from < high;
-  const double a = (low - from) / way;
-  const double b = (high - from) / way;
-  t = {std::max(t.x, std::min(a, b)), std::min(t.y, std::max(a, b))};
-  return t.x < t.y;
-}
-
-// Where way meets the cylinder, 1 if it does not.
-double cylinderEntry(const UprightCylinder& c, const dvec3& from, const dvec3& way) {
-  dvec2 t(0, 1);
-  if (!slab(from.y, way.y, c.foot.y, c.foot.y + c.height, t)) return 1;
-  const dvec2 start(from.x - c.foot.x, from.z - c.foot.z);
-  const dvec2 step(way.x, way.z);
-  const double a = glm::dot(step, step);
-  const double b = glm::dot(start, step);
-  const double outside = glm::dot(start, start) - c.radius * c.radius;
-  if (a < 1e-12) return outside < 0 ? t.x : 1;
-  const double root = b * b - a * outside;
-  if (root <= 0) return 1;
-  const double enter = std::max(t.x, (-b - std::sqrt(root)) / a);
-  return enter < std::min(t.y, (-b + std::sqrt(root)) / a) ? enter : 1;
-}
-
 // Points in the unit disc, each for the same share of it.
 dvec2 spiral(int i, int count) {
   const double r = std::sqrt((i + 0.5) / count);
@@ -60,57 +35,14 @@ glm::dmat3 framePointing(const dvec3& axis) {
 
 }  // namespace
 
-double LightBake::entry(const PlacedBlock& block, const dvec3& from, const dvec3& way) {
-  // Turned back into the block's axes.
-  const auto local = [&block](const dvec3& v) {
-    return dvec3(block.cosine * v.x - block.sine * v.z, v.y, block.sine * v.x + block.cosine * v.z);
-  };
-  const dvec3 start = local(from - block.center);
-  const dvec3 step = local(way);
-  dvec2 t(0, 1);
-  const bool met = slab(start.x, step.x, -block.half.x, block.half.x, t) &&
-                   slab(start.y, step.y, -block.half.y, block.half.y, t) &&
-                   slab(start.z, step.z, -block.half.z, block.half.z, t);
-  return met ? t.x : 1;
-}
-
-void LightBake::add(const Block& block) {
-  blocks_.push_back({block.center, block.half, std::cos(block.turn), std::sin(block.turn)});
-}
-
-bool LightBake::blocked(const dvec3& from, const dvec3& way) const {
-  return std::any_of(
-             cylinders_.begin(), cylinders_.end(),
-             [&](const UprightCylinder& cylinder) { return cylinderEntry(cylinder, from, way) < 1; }) ||
-         std::any_of(blocks_.begin(), blocks_.end(),
-                     [&](const PlacedBlock& block) { return entry(block, from, way) < 1; });
-}
-
 // By the distances to what stands within reach.
 double LightBake::openness(const dvec3& point, const dvec3& normal) const {
-  const auto isNear = [&](const dvec3& center, double radius) {
-    const double reach = kOpenRange + radius;
-    const dvec3 way = center - point;
-    return glm::dot(way, way) < reach * reach;
-  };
-  std::vector<const UprightCylinder*> cylinders;
-  for (const UprightCylinder& c : cylinders_) {
-    if (isNear(c.foot + dvec3(0, c.height / 2, 0), std::hypot(c.radius, c.height / 2)))
-      cylinders.push_back(&c);
-  }
-  std::vector<const PlacedBlock*> blocks;
-  for (const PlacedBlock& b : blocks_) {
-    if (isNear(b.center, glm::length(b.half))) blocks.push_back(&b);
-  }
+  const Obstacles near = obstacles_.within(point, kOpenRange);
   const glm::dmat3 frame = framePointing(normal);
   double open = 0;
   for (int i = 0; i < kOpenRays; ++i) {
     const dvec2 d = spiral(i, kOpenRays);
-    const dvec3 way = frame * dvec3(d, std::sqrt(1 - glm::dot(d, d))) * kOpenRange;
-    double nearest = 1;
-    for (const UprightCylinder* c : cylinders) nearest = std::min(nearest, cylinderEntry(*c, point, way));
-    for (const PlacedBlock* b : blocks) nearest = std::min(nearest, entry(*b, point, way));
-    open += nearest;
+    open += near.freeShare(point, frame * dvec3(d, std::sqrt(1 - glm::dot(d, d))) * kOpenRange);
   }
   return open / kOpenRays;
 }
@@ -119,7 +51,7 @@ dvec3 LightBake::lampLight(const dvec3& start, const dvec3& normal) const {
   dvec3 sum(0);
   for (const Lamp& lamp : lamps_) {
     const dvec3 way = lamp.center - start;
-    const double square = glm::dot(way, way);
+    const double square = std::max(glm::dot(way, way), 1e-9);
     // A ball is seen by surfaces that face a little away from its middle.
     const double size = lamp.radius / std::sqrt(square);
     const double facing = (glm::dot(normal, way) / std::sqrt(square) + size) / (1 + size);
@@ -130,7 +62,7 @@ dvec3 LightBake::lampLight(const dvec3& start, const dvec3& normal) const {
       seen = 0;
       for (int i = 0; i < kLampRays; ++i) {
         const dvec3 to = way + frame * dvec3(spiral(i, kLampRays) * lamp.radius, 0);
-        if (!blocked(start, to)) seen += 1.0 / kLampRays;
+        if (!obstacles_.blocked(start, to)) seen += 1.0 / kLampRays;
       }
     }
     sum += lamp.color * (seen * facing / (square + lamp.radius * lamp.radius));
@@ -149,7 +81,7 @@ dvec3 LightBake::skyLight(const dvec3& start, const dvec3& normal) const {
       const double square = glm::dot(way, way);
       const double here = glm::dot(normal, way);
       const double there = -glm::dot(glm::normalize(inward), way);
-      if (here <= 0 || there <= 0 || blocked(start, way)) continue;
+      if (here <= 0 || there <= 0 || obstacles_.blocked(start, way)) continue;
       sum += opening.sky * (here * there * area / (3.14159 * square * square + 0.05));
     }
   }
@@ -165,7 +97,7 @@ dvec3 LightBake::sunLight(const dvec3& start, const dvec3& normal) const {
   int seen = 0;
   for (int i = 0; i < kSunRays; ++i) {
     const dvec3 ray = frame * dvec3(spiral(i, kSunRays) * sun_.radius, 1);
-    if (!blocked(start, ray * kFar)) ++seen;
+    if (!obstacles_.blocked(start, ray * kFar)) ++seen;
   }
   return sun_.color * (facing * seen / kSunRays);
 }

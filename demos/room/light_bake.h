@@ -5,22 +5,9 @@
 
 #include "image.h"
 #include "mesh.h"
+#include "obstacles.h"
 
 namespace room {
-
-// What stands in the light. A shape is a little smaller than what it stands for, so that surfaces do not
-// shadow themselves.
-struct UprightCylinder {
-  glm::dvec3 foot;
-  double radius;
-  double height;
-};
-
-struct Block {
-  glm::dvec3 center;
-  glm::dvec3 half;
-  double turn = 0;  // radians about y
-};
 
 // A glowing ball that shines to all sides.
 struct Lamp {
@@ -46,8 +33,8 @@ struct Sun {
 
 class LightBake {
  public:
-  void add(const UprightCylinder& cylinder) { cylinders_.push_back(cylinder); }
-  void add(const Block& block);
+  void add(const UprightCylinder& cylinder) { obstacles_.add(cylinder); }
+  void add(const Block& block) { obstacles_.add(block); }
   void add(const Lamp& lamp) { lamps_.push_back(lamp); }
   void add(const Opening& opening) { openings_.push_back(opening); }
   void setSun(const Sun& sun) { sun_ = sun; }
@@ -63,22 +50,12 @@ class LightBake {
   std::vector<glm::vec3> vertexLight(const MeshData& mesh) const;
 
  private:
-  struct PlacedBlock {
-    glm::dvec3 center;
-    glm::dvec3 half;
-    double cosine;
-    double sine;
-  };
-  // The share of the way before it meets the block, 1 if it does not.
-  static double entry(const PlacedBlock& block, const glm::dvec3& from, const glm::dvec3& way);
-  bool blocked(const glm::dvec3& from, const glm::dvec3& way) const;
   double openness(const glm::dvec3& point, const glm::dvec3& normal) const;
   glm::dvec3 lampLight(const glm::dvec3& start, const glm::dvec3& normal) const;
   glm::dvec3 skyLight(const glm::dvec3& start, const glm::dvec3& normal) const;
   glm::dvec3 sunLight(const glm::dvec3& start, const glm::dvec3& normal) const;
 
-  std::vector<UprightCylinder> cylinders_;
-  std::vector<PlacedBlock> blocks_;
+  Obstacles obstacles_;
   std::vector<Lamp> lamps_;
   std::vector<Opening> openings_;
   Sun sun_;
