@@ -135,6 +135,19 @@ BenchRow rowOf(std::string_view demo, const std::string& implementation, const M
   return row;
 }
 
+// Of the rows from `first` on, which are of one demo.
+void addRatios(std::vector<BenchRow>& rows, std::size_t first) {
+  const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto mesa =
+      std::find_if(begin, rows.end(), [](const BenchRow& row) { return row.implementation == "mesa"; });
+  if (mesa == rows.end() || !mesa->fault.empty()) return;
+  const BenchRow baseline = *mesa;
+  for (auto row = begin; row != rows.end(); ++row) {
+    row->ratio = row->median / baseline.median;
+    row->cpuRatio = row->cpu / baseline.cpu;
+  }
+}
+
 // One picture of each implementation against the reference renderer's, which our libraries load.
 void addErrors(std::vector<BenchRow>& rows, std::string_view demo, const BenchOptions& options,
                const std::vector<Implementation>& all, const std::string& folder,
@@ -248,15 +261,9 @@ std::vector<BenchRow> bench(const std::vector<room::DemoEntry>& demos, const Ben
         addRound(measured[i], options, entry->name, all[i]);
       }
     }
-    double baseline = 0;
     const std::size_t first = rows.size();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      rows.push_back(rowOf(entry->name, all[i].name, measured[i]));
-      if (all[i].name == "mesa") baseline = rows.back().median;
-    }
-    for (std::size_t i = first; i < rows.size(); ++i) {
-      if (baseline > 0) rows[i].ratio = rows[i].median / baseline;
-    }
+    for (std::size_t i = 0; i < all.size(); ++i) rows.push_back(rowOf(entry->name, all[i].name, measured[i]));
+    addRatios(rows, first);
     if (!options.withoutError) addErrors(rows, entry->name, options, all, folder.path(), caches);
   }
   return rows;

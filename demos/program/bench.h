@@ -47,9 +47,10 @@ struct BenchRow {
   double worst = 0;
   double cpu = 0;
   double draws = 0;
-  double uploads = 0;  // KiB
-  double ratio = 0;    // of the medians, to Mesa's native; 0: none
-  double error = -1;   // RMS against the reference renderer, 1/255; -1: not known
+  double uploads = 0;   // KiB
+  double ratio = 0;     // of the medians, to Mesa's native; 0: none
+  double cpuRatio = 0;  // the same of processor time, which other programs disturb less
+  double error = -1;    // RMS against the reference renderer, 1/255; -1: not known
 };
 
 // Runs everything that the options ask for, in rounds that go around the implementations.
