@@ -1,5 +1,6 @@
 #include "skeleton.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <vector>
@@ -70,8 +71,8 @@ struct Pose {
   double thumbOver, thumbClose, thumbMiddle, thumbTip;
   std::array<FingerPose, kFingers> fingers;
 };
-constexpr std::size_t kAngles = sizeof(Pose) / sizeof(double);
-static_assert(kAngles == 8 + 4 * kFingers);
+using Angles = std::array<double, 8 + 4 * kFingers>;
+static_assert(sizeof(Pose) == sizeof(Angles));
 
 constexpr Pose kOpen = {-4, 0, 0, 0, 0, 0, 4, 6, {{{0, 4, 6, 4}, {0, 3, 6, 4}, {0, 5, 8, 5}, {0, 7, 10, 6}}}};
 constexpr Pose kSpread = {
@@ -143,10 +144,6 @@ const std::vector<KeyFrame>& keyFrames() {
   return frames;
 }
 
-double angle(const Pose& pose, std::size_t i) {
-  return reinterpret_cast<const double*>(&pose)[i];
-}
-
 // A curve through all key frames whose slopes come from the neighbours (Catmull and Rom), held back where it
 // would swing beyond them.
 double through(double before, double from, double to, double after, double t) {
@@ -168,11 +165,11 @@ Pose poseAt(double time) {
   const double t = (at - frames[i].time) / (frames[i + 1].time - frames[i].time);
   const Pose& before = frames[i == 0 ? last - 1 : i - 1].pose;
   const Pose& after = frames[i + 1 == last ? 1 : i + 2].pose;
-  Pose pose{};
-  auto* angles = reinterpret_cast<double*>(&pose);
-  for (std::size_t k = 0; k < kAngles; ++k)
-    angles[k] =
-        through(angle(before, k), angle(frames[i].pose, k), angle(frames[i + 1].pose, k), angle(after, k), t);
+  const auto a = std::bit_cast<Angles>(before), b = std::bit_cast<Angles>(frames[i].pose);
+  const auto c = std::bit_cast<Angles>(frames[i + 1].pose), d = std::bit_cast<Angles>(after);
+  Angles angles{};
+  for (std::size_t k = 0; k < angles.size(); ++k) angles[k] = through(a[k], b[k], c[k], d[k], t);
+  Pose pose = std::bit_cast<Pose>(angles);
   // A living hand is never quite still.
   pose.bend += 0.8 * std::sin(1.3 * time);
   pose.tilt += 0.7 * std::sin(0.9 * time + 1);

@@ -45,7 +45,7 @@ constexpr GLuint kTableBit = 0x80, kWallBit = 0x40;
 
 // What the candles leave of the light at a time.
 double flickerAt(double time) {
-  return 1 + 0.045 * room::noise(time * 2.3 + 100, 0.5, 4096, 2, 1001) +
+  return 0.955 + 0.045 * room::noise(time * 2.3 + 100, 0.5, 4096, 2, 1001) +
          0.030 * room::noise(time * 6.1 + 100, 0.5, 4096, 2, 1002);
 }
 
@@ -160,7 +160,7 @@ void Skinning::lookFrom(const room::View& view) {
 // Color = base * light in the vertices, then * 2 * flicker.
 void Skinning::drawParlour(double flicker) const {
   glEnableClientState(GL_COLOR_ARRAY);
-  // The texture's own color is not asked for: the constant is half of what scales by 2.
+  // Unit 1 samples nothing that is used: a unit works only with a texture.
   const glm::vec4 strength(glm::vec3(static_cast<float>(glm::min(flicker, 1.0))), 1);
   for (const Part& part : parlour_->parts()) {
     useTexture(0, *part.base);
