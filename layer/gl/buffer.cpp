@@ -181,7 +181,7 @@ GL_API void GL_APIENTRY glBufferSubData(GLenum target, GLintptr offset, GLsizeip
                                                      offset < 0 ? offset : size, "Give numbers from 0 on"));
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(size);
   if (begin > buffer->size() || bytes > buffer->size() - begin)
-    return c->setError(GL_INVALID_VALUE, wrongNumber("offset + size", offset + size,
+    return c->setError(GL_INVALID_VALUE, wrongNumber("offset + size", begin + bytes,
                                                      "Stay inside the buffer: ask for BUFFER_SIZE"));
   if (bytes == 0 || !data) return;
   if (!buffer->store->write(begin, data, bytes)) c->setError(GL_OUT_OF_MEMORY);
@@ -312,9 +312,10 @@ GL_API void GL_APIENTRY glFlushMappedBufferRangeEXT(GLenum target, GLintptr offs
   }
   const size_t begin = static_cast<size_t>(offset), bytes = static_cast<size_t>(length);
   if (offset < 0 || length < 0 || begin > buffer->mapLength || bytes > buffer->mapLength - begin) {
-    return c->setError(GL_INVALID_VALUE,
-                       wrongNumber("offset + length", offset + length,
-                                   "Stay inside the mapped range: offset counts from its start"));
+    return c->setError(
+        GL_INVALID_VALUE,
+        wrongNumber("offset + length", static_cast<double>(offset) + static_cast<double>(length),
+                    "Stay inside the mapped range: offset counts from its start"));
   }
   if (bytes == 0) return;
   if (!buffer->store->write(buffer->mapOffset + begin, buffer->mapped.get() + begin, bytes)) {
