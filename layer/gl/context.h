@@ -71,9 +71,9 @@ class ShareGroup {
 class ShareLock {
  public:
   explicit ShareLock(ShareGroup& group)
-      : mutex_(group.contexts.load(std::memory_order_relaxed) > 1 ? &group.mutex : nullptr) {
+      : mutex_(group.contexts.load(std::memory_order_acquire) > 1 ? &group.mutex : nullptr) {
     if (mutex_) mutex_->lock();
-    images_ = group.sharesImages.load(std::memory_order_relaxed);
+    images_ = group.sharesImages.load(std::memory_order_acquire);
     if (images_) sharedImagesMutex.lock();
   }
   ~ShareLock() {

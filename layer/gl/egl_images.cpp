@@ -70,8 +70,8 @@ Fault noImage() {
 void shareImages(ShareGroup& group) {
   if (group.sharesImages.load(std::memory_order_relaxed)) return;
   std::unique_lock<std::mutex> lock(group.mutex, std::defer_lock);
-  if (group.contexts.load(std::memory_order_relaxed) > 1) lock.lock();
-  group.sharesImages.store(true, std::memory_order_relaxed);
+  if (group.contexts.load(std::memory_order_acquire) > 1) lock.lock();
+  group.sharesImages.store(true, std::memory_order_release);
 }
 
 ShareStatus shareImage(Context& c, const ImageSource& source, std::shared_ptr<SharedImage>& image) {

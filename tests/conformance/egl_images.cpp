@@ -83,6 +83,7 @@ TEST_F(EglImages, FormatsAreTheSources) {
 }
 
 TEST_F(EglImages, LevelsOfATexture) {
+  MESA_DISAGREES("3.9.1 of EGL 1.5", "the source does not see what a target of its last level is given");
   const Vec4 colors[] = {kRed, kGreen, kBlue, kWhite};
   const GLuint source = newTexture();
   for (int level = 0; level < 4; ++level) specify(colors[level], 8 >> level, level);
