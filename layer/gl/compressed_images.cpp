@@ -44,7 +44,7 @@ void specifyPaletted(Context& c, const ImageTarget& image, GLint level, GLenum i
     indices += paletted.levelBytes(w, h);
   }
   for (int i = 0; i < levels; ++i) {
-    if (!texture.specify(c, image.face, i, sizeAt(width, i), sizeAt(height, i), internalFormat,
+    if (!texture.specify(c, image.face, i, {sizeAt(width, i), sizeAt(height, i)}, internalFormat,
                          paletted.entry, std::move(texels[static_cast<size_t>(i)]))) {
       return c.setError(GL_OUT_OF_MEMORY, {}, command);
     }
@@ -79,7 +79,8 @@ void specifyBlocks(Context& c, const ImageTarget& image, GLint level, const Comp
     if (!texels) return c.setError(GL_OUT_OF_MEMORY, {}, command);
     decodeCompressed(format, data, width, height, texels.get());
   }
-  if (!texture.specify(c, image.face, level, width, height, format.name, format.decoded, std::move(texels))) {
+  if (!texture.specify(c, image.face, level, {width, height}, format.name, format.decoded,
+                       std::move(texels))) {
     c.setError(GL_OUT_OF_MEMORY, {}, command);
   }
 }
@@ -152,5 +153,6 @@ GL_API void GL_APIENTRY glCompressedTexSubImage2D(GLenum target, GLint level, GL
   if (!texels) return c->setError(GL_OUT_OF_MEMORY);
   decodeCompressed(*blocks, data, width, height, texels.get());
   const PixelRows rows{texels.get(), rowPitch(width, blocks->decoded, 1), blocks->decoded};
-  if (!texture.replace(*c, image.face, level, part, rows)) c->setError(GL_OUT_OF_MEMORY);
+  if (!texture.replace(*c, image.face, level, {xoffset, yoffset, 0, {width, height}}, rows))
+    c->setError(GL_OUT_OF_MEMORY);
 }

@@ -1,5 +1,6 @@
 #include "layer/gl/enables.h"
 #include "layer/gl/debug_output.h"
+#include "layer/gl/missing_enums.h"
 
 #include "layer/gl/vertex_arrays.h"
 
@@ -35,6 +36,8 @@ Capability capabilityOf(Context& c, GLenum name) {
       return {&unit.enabled[kSlot2D], gen::kGroupTextures};
     case GL_TEXTURE_CUBE_MAP_OES:
       return {&unit.enabled[kSlotCube], gen::kGroupTextures};
+    case GL_TEXTURE_3D_OES:
+      return {&unit.enabled[kSlot3D], gen::kGroupTextures};
     case GL_TEXTURE_EXTERNAL_OES:
       return {&unit.enabled[kSlotExternal], gen::kGroupTextures};
     case GL_TEXTURE_GEN_STR_OES:

@@ -35,6 +35,7 @@ struct AttachmentPoint {
   std::shared_ptr<Texture> texture;
   int face = 0;
   int level = 0;
+  int slice = 0;  // of a 3D texture
   std::shared_ptr<Renderbuffer> renderbuffer;
   // Of a texture (EXT_multisampled_render_to_texture): it is drawn to through an image with samples.
   int textureSamples = 0;

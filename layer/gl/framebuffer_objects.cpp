@@ -1,5 +1,6 @@
 // OES_framebuffer_object and OES_fbo_render_mipmap: framebuffer objects, their attachments and completeness.
 #include "layer/gl/framebuffer_object.h"
+#include "layer/gl/missing_enums.h"
 
 #include <algorithm>
 #include <utility>
@@ -45,6 +46,7 @@ bool attachmentComplete(const AttachmentPoint& point, GLenum attachment) {
   const render::Format format = formatOf(point);
   if (format == render::Format::None) return false;
   if (point.texture && isCompressed(point.texture->at(point.face, point.level).internalFormat)) return false;
+  if (point.texture && point.slice >= point.texture->at(point.face, point.level).depth) return false;
   const render::FormatInfo& has = render::info(format);
   switch (attachment) {
     case GL_COLOR_ATTACHMENT0_OES:
@@ -114,7 +116,7 @@ bool resolve(Context& c, const AttachmentPoint& point, render::Attachment& out) 
   if (point.renderbuffer) {
     out = point.renderbuffer->attachment();
   } else {
-    out = point.texture->attachment(c, point.face, point.level);
+    out = point.texture->attachment(c, point.face, point.level, point.slice);
   }
   return out.image != nullptr;
 }
@@ -376,6 +378,36 @@ GL_API void GL_APIENTRY glFramebufferTexture2DOES(GLenum target, GLenum attachme
   attachTexture(*c, target, attachment, textarget, texture, level, 0, Multisampling::None);
 }
 
+// OES_texture_3D.
+GL_API void GL_APIENTRY glFramebufferTexture3DOES(GLenum target, GLenum attachment, GLenum textarget,
+                                                  GLuint texture, GLint level, GLint zoffset) {
+  Context* c = current();
+  if (!c) return;
+  ShareLock lock(*c->group);
+  AttachmentPoint* point = attachmentPoint(*c, target, attachment);
+  if (!point) return;
+  AttachmentPoint attached;
+  if (texture != 0) {
+    if (textarget != GL_TEXTURE_3D_OES)
+      return c->setError(GL_INVALID_ENUM, wrongEnum("textarget", textarget, "Use TEXTURE_3D_OES"));
+    attached.texture = c->group->textures.find(texture);
+    if (!attached.texture || attached.texture->slot != kSlot3D)
+      return c->setError(
+          GL_INVALID_OPERATION,
+          wrongNumber("texture", texture, "Give a texture that has been bound to TEXTURE_3D_OES"));
+    if (level < 0 || level >= attached.texture->levels())
+      return c->setError(GL_INVALID_VALUE,
+                         wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+    if (zoffset < 0 || zoffset >= c->device.caps().maxVolumeSize)
+      return c->setError(GL_INVALID_VALUE,
+                         wrongNumber("zoffset", zoffset, "Give a slice that a texture can have"));
+    attached.level = level;
+    attached.slice = zoffset;
+  }
+  *point = std::move(attached);
+  attachmentsChanged(*c);
+}
+
 GL_API void GL_APIENTRY glFramebufferTexture2DMultisampleEXT(GLenum target, GLenum attachment,
                                                              GLenum textarget, GLuint texture, GLint level,
                                                              GLsizei samples) {
@@ -432,6 +464,8 @@ GL_API void GL_APIENTRY glGetFramebufferAttachmentParameterivOES(GLenum target, 
     *params = point->level;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_OES && point->texture) {
     *params = point->texture->slot == kSlotCube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + point->face : 0;
+  } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_3D_ZOFFSET_OES && point->texture) {
+    *params = point->slice;
   } else if ((pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT || pname == GL_TEXTURE_SAMPLES_IMG) &&
              point->texture) {
     *params = point->textureSamples;

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "layer/gl/compressed.h"
+#include "layer/gl/missing_enums.h"
 #include "layer/gl/texture_validation.h"
 
 using namespace anteroom::gl;
@@ -11,7 +12,7 @@ namespace render = anteroom::render;
 namespace {
 
 bool sameSize(const TextureLevel& a, const TextureLevel& b) {
-  return a.width == b.width && a.height == b.height;
+  return a.extent() == b.extent();
 }
 
 // The level of `to` at which `count` levels have the sizes of those of `from` that begin at `base`. -1: none.
@@ -59,7 +60,34 @@ GL_API void GL_APIENTRY glTexStorage2DEXT(GLenum target, GLsizei levels, GLenum 
       return c->setError(GL_INVALID_OPERATION,
                          wrongNumber("width", width, "Give a size whose levels the format can have"));
   }
-  texture.store(*c, levels, width, height, internalformat, format);
+  texture.store(*c, levels, {width, height}, internalformat, format);
+}
+
+GL_API void GL_APIENTRY glTexStorage3DEXT(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width,
+                                          GLsizei height, GLsizei depth) {
+  Context* c = current();
+  if (!c) return;
+  const render::Format format = storageFormat(internalformat);
+  if (target != GL_TEXTURE_3D_OES || format == render::Format::None) {
+    const bool known = target == GL_TEXTURE_3D_OES;
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum(known ? "internalformat" : "target", known ? internalformat : target,
+                                 "Use TEXTURE_3D_OES, and a sized format such as RGBA8_OES"));
+  }
+  ShareLock lock(*c->group);
+  Texture& texture = boundTexture(*c, kSlot3D);
+  if (levels < 1 || std::min({width, height, depth}) < 1 || !validVolume(*c, 0, width, height, depth)) {
+    return c->setError(GL_INVALID_VALUE, levels < 1 ? wrongNumber("levels", levels, "Give one level or more")
+                                                    : wrongVolume(width, height, depth, 0));
+  }
+  const int most = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max({width, height, depth}))));
+  if (texture.name == 0 || texture.immutable() || levels > most || isCompressed(internalformat))
+    return c->setError(
+        GL_INVALID_OPERATION,
+        levels > most ? wrongNumber("levels", levels, "Give log2 of the largest size and 1 at most")
+                      : wrongState("The texture is the default one or immutable, or the format is compressed",
+                                   "Bind a new texture, and use a format such as RGBA8_OES"));
+  texture.store(*c, levels, {width, height, depth}, internalformat, format);
 }
 
 GL_API void GL_APIENTRY glCopyTextureLevelsAPPLE(GLuint destinationTexture, GLuint sourceTexture,

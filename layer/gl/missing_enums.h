@@ -1,5 +1,5 @@
 // What <GLES/glext.h> lacks of extensions that ES 1.1 can have: Khronos' names with the registry's numbers,
-// types and prototypes. KHR_debug, EXT_debug_label, EXT_polygon_offset_clamp.
+// types and prototypes. KHR_debug, EXT_debug_label, EXT_polygon_offset_clamp, OES_texture_3D.
 #pragma once
 
 #include <GLES/gl.h>
@@ -53,6 +53,14 @@ typedef void(GL_APIENTRY* GLDEBUGPROCKHR)(GLenum source, GLenum type, GLuint id,
 #define GL_POLYGON_OFFSET_CLAMP_EXT 0x8E1B
 #endif
 
+#ifndef GL_TEXTURE_3D_OES
+#define GL_TEXTURE_3D_OES 0x806F
+#define GL_TEXTURE_WRAP_R_OES 0x8072
+#define GL_MAX_3D_TEXTURE_SIZE_OES 0x8073
+#define GL_TEXTURE_BINDING_3D_OES 0x806A
+#define GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_3D_ZOFFSET_OES 0x8CD4
+#endif
+
 extern "C" {
 GL_API void GL_APIENTRY glDebugMessageControlKHR(GLenum source, GLenum type, GLenum severity, GLsizei count,
                                                  const GLuint* ids, GLboolean enabled);
@@ -75,4 +83,22 @@ GL_API void GL_APIENTRY glLabelObjectEXT(GLenum type, GLuint object, GLsizei len
 GL_API void GL_APIENTRY glGetObjectLabelEXT(GLenum type, GLuint object, GLsizei bufSize, GLsizei* length,
                                             GLchar* label);
 GL_API void GL_APIENTRY glPolygonOffsetClampEXT(GLfloat factor, GLfloat units, GLfloat clamp);
+GL_API void GL_APIENTRY glTexImage3DOES(GLenum target, GLint level, GLenum internalformat, GLsizei width,
+                                        GLsizei height, GLsizei depth, GLint border, GLenum format,
+                                        GLenum type, const void* pixels);
+GL_API void GL_APIENTRY glTexSubImage3DOES(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                                           GLint zoffset, GLsizei width, GLsizei height, GLsizei depth,
+                                           GLenum format, GLenum type, const void* pixels);
+GL_API void GL_APIENTRY glCopyTexSubImage3DOES(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                                               GLint zoffset, GLint x, GLint y, GLsizei width,
+                                               GLsizei height);
+GL_API void GL_APIENTRY glCompressedTexImage3DOES(GLenum target, GLint level, GLenum internalformat,
+                                                  GLsizei width, GLsizei height, GLsizei depth, GLint border,
+                                                  GLsizei imageSize, const void* data);
+GL_API void GL_APIENTRY glCompressedTexSubImage3DOES(GLenum target, GLint level, GLint xoffset, GLint yoffset,
+                                                     GLint zoffset, GLsizei width, GLsizei height,
+                                                     GLsizei depth, GLenum format, GLsizei imageSize,
+                                                     const void* data);
+GL_API void GL_APIENTRY glFramebufferTexture3DOES(GLenum target, GLenum attachment, GLenum textarget,
+                                                  GLuint texture, GLint level, GLint zoffset);
 }

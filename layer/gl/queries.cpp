@@ -9,6 +9,7 @@
 #include "layer/gl/enables.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/hints.h"
+#include "layer/gl/missing_enums.h"
 #include "layer/gl/paletted.h"
 #include "layer/gl/params.h"
 #include "layer/gl/pixel.h"
@@ -369,6 +370,9 @@ bool getTexturesPixelsAndHints(Context& c, GLenum name, Results& results) {
     case GL_TEXTURE_BINDING_CUBE_MAP_OES:
       results.integer(unit.bound[kSlotCube]->name);
       return true;
+    case GL_TEXTURE_BINDING_3D_OES:
+      results.integer(unit.bound[kSlot3D]->name);
+      return true;
     case GL_TEXTURE_BINDING_EXTERNAL_OES:
       results.integer(unit.bound[kSlotExternal]->name);
       return true;
@@ -427,6 +431,9 @@ bool getLimits(Context& c, GLenum name, Results& results) {
       break;
     case GL_MAX_CUBE_MAP_TEXTURE_SIZE_OES:
       results.integer(caps.maxCubeMapSize);
+      break;
+    case GL_MAX_3D_TEXTURE_SIZE_OES:
+      results.integer(caps.maxVolumeSize);
       break;
     case kContextFlags:
       results.integer((c.options.debug ? kContextFlagDebugBit : 0) |

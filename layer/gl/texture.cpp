@@ -60,39 +60,42 @@ void Texture::changed(Context& c) {
 
 // --- specification
 
-bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+// Slices without gaps are rows that go on: texels are converted as if they were one tall image.
+bool Texture::specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
                       const PixelRows& rows) {
   TextureLevel& t = edit(face, level);
-  const bool empty = width == 0 || height == 0;
+  const int width = size.width, rowCount = size.height * size.depth;
   const Format stored = storedFormat(rows.format);
-  const bool inPlace = !import_ && !hasShared() && t.home && t.width == width && t.height == height &&
-                       t.format == stored && t.internalFormat == internalFormat;
+  const bool inPlace = !import_ && !hasShared() && t.home && t.extent() == size && t.format == stored &&
+                       t.internalFormat == internalFormat;
   if (!inPlace) {
     std::unique_ptr<std::byte[]> texels;
-    if (rows.data && !empty) {
-      texels = allocateTexels(width, height, stored, false);
+    if (rows.data && !size.empty()) {
+      texels = allocateTexels(width, rowCount, stored, false);
       if (!texels) return false;
-      convertRows(rows, width, height, stored, texels.get(), rowPitch(width, stored, 1));
+      convertRows(rows, width, rowCount, stored, texels.get(), rowPitch(width, stored, 1));
     }
-    return specify(c, face, level, width, height, internalFormat, stored, std::move(texels));
+    return specify(c, face, level, size, internalFormat, stored, std::move(texels));
   }
-  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, size, internalFormat)) return false;
   if (rows.data) {
     const Place place = placeOf(face, level);
-    if (!upload(c, *place.image, {place.level, place.layer, 0, 0, 0, width, height, 1}, rows)) return false;
+    const render::Region all{place.level, place.layer, 0, 0, 0, width, size.height, size.depth};
+    if (!upload(c, *place.image, all, rows)) return false;
   }
   if (level == 0) baseChanged(c, face);
   return true;
 }
 
-bool Texture::specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+bool Texture::specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
                       Format format, std::unique_ptr<std::byte[]> texels) {
-  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, size, internalFormat)) return false;
   if (!orphan(c, face, level)) return false;
   releaseImport(c);
   TextureLevel specified;
-  specified.width = width;
-  specified.height = height;
+  specified.width = size.width;
+  specified.height = size.height;
+  specified.depth = size.depth;
   specified.internalFormat = internalFormat;
   specified.format = format;
   specified.pending = std::move(texels);
@@ -102,7 +105,7 @@ bool Texture::specify(Context& c, int face, int level, int width, int height, GL
   return true;
 }
 
-void Texture::store(Context& c, int levelCount, int width, int height, GLenum internalFormat, Format format) {
+void Texture::store(Context& c, int levelCount, const Extent& size, GLenum internalFormat, Format format) {
   releaseImport(c);
   for (TextureLevel& t : levels_) t = TextureLevel{};
   image_ = nullptr;
@@ -111,8 +114,9 @@ void Texture::store(Context& c, int levelCount, int width, int height, GLenum in
   for (int face = 0; face < faces(); ++face) {
     for (int level = 0; level < levelCount; ++level) {
       TextureLevel& t = edit(face, level);
-      t.width = std::max(width >> level, 1);
-      t.height = std::max(height >> level, 1);
+      t.width = std::max(size.width >> level, 1);
+      t.height = std::max(size.height >> level, 1);
+      t.depth = std::max(size.depth >> level, 1);
       t.internalFormat = internalFormat;
       t.format = format;
     }
@@ -120,23 +124,28 @@ void Texture::store(Context& c, int levelCount, int width, int height, GLenum in
   changed(c);
 }
 
-bool Texture::replace(Context& c, int face, int level, const Rect& rect, const PixelRows& rows) {
-  if (rect.width == 0 || rect.height == 0 || !rows.data) return true;
+bool Texture::replace(Context& c, int face, int level, const Box& box, const PixelRows& rows) {
+  const Extent& size = box.size;
+  if (size.empty() || !rows.data) return true;
   TextureLevel& t = edit(face, level);
   if (t.derived && !settle(c, face)) return false;
-  if (level == 0 && !keepDerived(c, face, t.width, t.height, t.internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, t.extent(), t.internalFormat)) return false;
   if (t.home) {
     const Place place = placeOf(face, level);
-    const render::Region region{place.level, place.layer, rect.x, rect.y, 0, rect.width, rect.height, 1};
+    const render::Region region{place.level, place.layer, box.x,       box.y,
+                                box.z,       size.width,  size.height, size.depth};
     if (!upload(c, *place.image, region, rows)) return false;
   } else {
-    const bool all = rect.width == t.width && rect.height == t.height;
-    if (!t.pending) t.pending = allocateTexels(t.width, t.height, t.format, !all);
+    if (!t.pending) t.pending = allocateTexels(t.width, t.height * t.depth, t.format, !(size == t.extent()));
     if (!t.pending) return false;
     const size_t pitch = rowPitch(t.width, t.format, 1);
-    const size_t offset =
-        static_cast<size_t>(rect.y) * pitch + static_cast<size_t>(rect.x) * render::info(t.format).bytes;
-    convertRows(rows, rect.width, rect.height, t.format, t.pending.get() + offset, pitch);
+    PixelRows slice = rows;
+    for (int z = box.z; z < box.z + size.depth; ++z) {
+      const size_t row = static_cast<size_t>(z) * static_cast<size_t>(t.height) + static_cast<size_t>(box.y);
+      const size_t offset = row * pitch + static_cast<size_t>(box.x) * render::info(t.format).bytes;
+      convertRows(slice, size.width, size.height, t.format, t.pending.get() + offset, pitch);
+      slice.data = static_cast<const std::byte*>(slice.data) + slice.pitch * static_cast<size_t>(size.height);
+    }
   }
   if (level == 0) baseChanged(c, face);
   return true;
@@ -146,9 +155,9 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
                                      Format format) {
   const render::Framebuffer& source = c.readFramebuffer;
   const int width = rect.width, height = rect.height;
-  if (width == 0 || height == 0)
-    return specify(c, face, level, width, height, internalFormat, format, nullptr);
-  if (level == 0 && !keepDerived(c, face, width, height, internalFormat)) return false;
+  const Extent size{width, height};
+  if (size.empty()) return specify(c, face, level, size, internalFormat, format, nullptr);
+  if (level == 0 && !keepDerived(c, face, size, internalFormat)) return false;
   if (!orphan(c, face, level)) return false;
 
   const TextureLevel& old = at(face, level);
@@ -157,11 +166,11 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
   if (!import_ && old.home && old.width == width && old.height == height &&
       old.home->desc().format == format) {
     place = placeOf(face, level);
-  } else if (!import_ && !hasDerived(face) && usable(image_, format, width, height, level)) {
+  } else if (!import_ && !hasDerived(face) && usable(image_, format, size, level)) {
     place = {image_, level, face};
   } else {
     const bool mipmaps = level == 0 && generateMipmap && usesMipmaps();
-    place = {createImage(c, format, width, height, mipmaps ? chainLength(width, height) : 1), 0, face};
+    place = {createImage(c, format, size, mipmaps ? chainLength(size) : 1), 0, face};
     fresh = true;
   }
   if (!place.image) return false;
@@ -184,13 +193,13 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
   return true;
 }
 
-bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const Rect& rect) {
+bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int y, int z, const Rect& rect) {
   if (rect.width == 0 || rect.height == 0) return true;
   const TextureLevel& t = at(face, level);
-  if (level == 0 && !keepDerived(c, face, t.width, t.height, t.internalFormat)) return false;
+  if (level == 0 && !keepDerived(c, face, t.extent(), t.internalFormat)) return false;
   if (!reside(c, face, level)) return false;
   const Place place = placeOf(face, level);
-  const render::Region region{place.level, place.layer, x, y, 0, rect.width, rect.height, 1};
+  const render::Region region{place.level, place.layer, x, y, z, rect.width, rect.height, 1};
   if (!c.renderer->copyFromFramebuffer(*place.image, region, c.readFramebuffer, rect.x, rect.y)) return false;
   if (level == 0) baseChanged(c, face);
   return true;
@@ -228,14 +237,20 @@ bool Texture::usesMipmaps() const {
   return sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR;
 }
 
-int Texture::chainLength(int width, int height) const {
-  const int length = std::min(log2Floor(std::max({width, height, 1})) + 1, levels());
+int Texture::chainLength(const Extent& base) const {
+  const int length = std::min(log2Floor(std::max({base.width, base.height, base.depth, 1})) + 1, levels());
   return immutable() ? std::min(length, immutableLevels_) : length;  // EXT_texture_storage, p
+}
+
+Extent Texture::levelExtent(int level) const {
+  const TextureLevel& base = at(0, 0);
+  return {std::max(base.width >> level, 1), std::max(base.height >> level, 1),
+          std::max(base.depth >> level, 1)};
 }
 
 int Texture::sampledLevels() const {
   if (!usesMipmaps()) return 1;
-  const int length = chainLength(at(0, 0).width, at(0, 0).height);
+  const int length = chainLength(at(0, 0).extent());
   return sampler.maxLevel < length ? sampler.maxLevel + 1 : length;
 }
 
@@ -246,10 +261,7 @@ bool Texture::chainComplete(int face) const {
     const TextureLevel& t = at(face, level);
     // OES_required_internalformat: and the same type, where the internal format is a sized one.
     if (t.format != base.format && isSized(base.internalFormat)) return false;
-    if (t.internalFormat != base.internalFormat || t.width != std::max(base.width >> level, 1) ||
-        t.height != std::max(base.height >> level, 1)) {
-      return false;
-    }
+    if (t.internalFormat != base.internalFormat || t.extent() != levelExtent(level)) return false;
   }
   return true;
 }
@@ -260,8 +272,7 @@ bool Texture::baseComplete() const {
   for (int face = 0; face < faces(); ++face) {
     const TextureLevel& t = at(face, 0);
     if (slot == kSlotCube && t.width != t.height) return false;
-    if (t.width != base.width || t.height != base.height || t.internalFormat != base.internalFormat)
-      return false;
+    if (t.extent() != base.extent() || t.internalFormat != base.internalFormat) return false;
   }
   return true;
 }
@@ -278,19 +289,19 @@ bool Texture::complete() const {
 bool Texture::switchesLate() const {
   const bool nearest =
       sampler.minFilter == GL_NEAREST_MIPMAP_NEAREST || sampler.minFilter == GL_NEAREST_MIPMAP_LINEAR;
-  return sampler.magFilter == GL_LINEAR && nearest && (at(0, 0).width > 1 || at(0, 0).height > 1);
+  return sampler.magFilter == GL_LINEAR && nearest && at(0, 0).extent() != Extent{1, 1, 1};
 }
 
 bool Texture::canGenerateMipmaps() const {
   if (!baseComplete() || isSrgb(at(0, 0).internalFormat)) return false;  // EXT_sRGB
-  return !import_ || import_->desc().levels >= chainLength(at(0, 0).width, at(0, 0).height);
+  return !import_ || import_->desc().levels >= chainLength(at(0, 0).extent());
 }
 
 // At once: level 0 may be drawn to before a derived level is needed.
 bool Texture::generateMipmaps(Context& c) {
-  if (!holdsChain(chainLength(at(0, 0).width, at(0, 0).height)) && !orphan(c)) return false;
+  if (!holdsChain(chainLength(at(0, 0).extent())) && !orphan(c)) return false;
   for (int face = 0; face < faces(); ++face) deriveChain(c, face);
-  return realise(c, chainLength(at(0, 0).width, at(0, 0).height));
+  return realise(c, chainLength(at(0, 0).extent()));
 }
 
 // --- automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
@@ -308,15 +319,15 @@ bool Texture::hasDerived(int face, int from) const {
 
 // Before the base level becomes such a one: derived levels are computed from it as it is, unless they will be
 // derived anew.
-bool Texture::keepDerived(Context& c, int face, int width, int height, GLenum internalFormat) {
-  const bool again = derives(internalFormat) && width > 0 && height > 0;
-  return !hasDerived(face, again ? chainLength(width, height) : 1) || settle(c, face);
+bool Texture::keepDerived(Context& c, int face, const Extent& size, GLenum internalFormat) {
+  const bool again = derives(internalFormat) && !size.empty();
+  return !hasDerived(face, again ? chainLength(size) : 1) || settle(c, face);
 }
 
 void Texture::baseChanged(Context& c, int face) {
   const TextureLevel& base = at(face, 0);
   if (base.null() || !derives(base.internalFormat)) return;
-  const int length = chainLength(base.width, base.height);
+  const int length = chainLength(base.extent());
   if (import_ && import_->desc().levels < length) return;  // EGL_MIPMAP_TEXTURE is off
   if (!holdsChain(length) && !orphan(c)) return c.setError(GL_OUT_OF_MEMORY);
   deriveChain(c, face);
@@ -326,11 +337,12 @@ void Texture::baseChanged(Context& c, int face) {
 
 void Texture::deriveChain(Context& c, int face) {
   const TextureLevel& base = at(face, 0);
-  const int length = chainLength(base.width, base.height);
+  const int length = chainLength(base.extent());
   for (int level = 1; level < length; ++level) {
     TextureLevel derived;
     derived.width = std::max(base.width >> level, 1);
     derived.height = std::max(base.height >> level, 1);
+    derived.depth = std::max(base.depth >> level, 1);
     derived.internalFormat = base.internalFormat;
     derived.format = base.format;
     derived.derived = true;

@@ -22,12 +22,20 @@
 
 namespace anteroom::gl {
 
+// Texels of a level; depth: slices of a 3D texture, otherwise 1.
+struct Extent {
+  int width = 0, height = 0, depth = 1;
+  bool empty() const { return width <= 0 || height <= 0 || depth <= 0; }
+  bool operator==(const Extent&) const = default;
+};
+
 struct TextureLevel {
-  bool null() const { return width <= 0 || height <= 0; }
+  Extent extent() const { return {width, height, depth}; }
+  bool null() const { return extent().empty(); }
   bool isShared() const;  // a sibling of an EGLImage
 
-  int width = 0, height = 0;  // texels
-  GLenum internalFormat = 1;  // as specified (internal_format.h; section 3.7.10)
+  int width = 0, height = 0, depth = 1;  // texels
+  GLenum internalFormat = 1;             // as specified (internal_format.h; section 3.7.10)
   render::Format format = render::Format::None;
 
   // Where the texels are: at most one of these. Neither: they are undefined, or derived.
@@ -40,6 +48,12 @@ struct TextureLevel {
 
 // Memory for texels. Null: out of memory.
 std::unique_ptr<std::byte[]> allocateTexels(int width, int height, render::Format format, bool zeroed);
+
+// What a texture image says of a part of itself: slices one after the other.
+struct Box {
+  int x = 0, y = 0, z = 0;
+  Extent size;
+};
 
 struct Texture {
   // May throw std::bad_alloc. Faces and levels: for the slot and the device's limits.
@@ -67,25 +81,25 @@ struct Texture {
   // These change texels; false means out of memory, and that nothing changed. Arguments have been validated.
   // An image of eglBindTexImage is given back when a level is specified.
 
-  // TexImage2D; rows.data null: undefined texels.
-  bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+  // TexImage2D, TexImage3DOES; rows.data null: undefined texels. Slices follow each other without gaps.
+  bool specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
                const PixelRows& rows);
   // The same with texels that the texture takes over: rows of `format` without gaps, or null.
-  bool specify(Context& c, int face, int level, int width, int height, GLenum internalFormat,
+  bool specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
                render::Format format, std::unique_ptr<std::byte[]> texels);
-  // TexStorage2DEXT: all levels anew, of one format, their texels undefined.
-  void store(Context& c, int levelCount, int width, int height, GLenum internalFormat, render::Format format);
+  // TexStorage2DEXT, TexStorage3DEXT: all levels anew, of one format, their texels undefined.
+  void store(Context& c, int levelCount, const Extent& size, GLenum internalFormat, render::Format format);
   bool immutable() const { return immutableLevels_ != 0; }
   int immutableLevels() const { return immutableLevels_; }
   // CopyTextureLevelsAPPLE, one level: both are of one size and format.
   bool copyLevel(Context& c, int level, Texture& source, int sourceLevel);
-  // TexSubImage2D.
-  bool replace(Context& c, int face, int level, const render::Rect& rect, const PixelRows& rows);
+  // TexSubImage2D, TexSubImage3DOES.
+  bool replace(Context& c, int face, int level, const Box& box, const PixelRows& rows);
   // CopyTexImage2D: the rectangle of the current framebuffer whose lower left corner is (rect.x, rect.y).
   bool specifyFromFramebuffer(Context& c, int face, int level, const render::Rect& rect,
                               GLenum internalFormat, render::Format format);
-  // CopyTexSubImage2D: to texel (x, y).
-  bool replaceFromFramebuffer(Context& c, int face, int level, int x, int y, const render::Rect& rect);
+  // CopyTexSubImage2D, CopyTexSubImage3DOES: to texel (x, y) of slice z.
+  bool replaceFromFramebuffer(Context& c, int face, int level, int x, int y, int z, const render::Rect& rect);
 
   // eglBindTexImage, eglReleaseTexImage.
   void import(Context& c, const std::shared_ptr<render::Image>& image, GLenum internalFormat);
@@ -117,8 +131,8 @@ struct Texture {
   // memory.
   const std::shared_ptr<render::Image>& sampled(Context& c);
 
-  // The one level as a render target. image null: out of memory.
-  render::Attachment attachment(Context& c, int face, int level);
+  // One level, of a 3D texture one slice of it, as a render target. image null: out of memory.
+  render::Attachment attachment(Context& c, int face, int level, int slice);
 
  private:
   struct Place {
@@ -131,12 +145,13 @@ struct Texture {
   TextureLevel& edit(int face, int level) { return levels_[index(face, level)]; }
 
   bool usesMipmaps() const;
-  int chainLength(int width, int height) const;  // levels of a full mipmap
-  int sampledLevels() const;                     // that the sampler can select (APPLE_texture_max_level)
+  int chainLength(const Extent& base) const;  // levels of a full mipmap
+  Extent levelExtent(int level) const;        // that fits to level 0
+  int sampledLevels() const;                  // that the sampler can select (APPLE_texture_max_level)
   bool chainComplete(int face) const;
   bool derives(GLenum internalFormat) const;
   bool hasDerived(int face, int from = 1) const;
-  bool keepDerived(Context& c, int face, int width, int height, GLenum internalFormat);
+  bool keepDerived(Context& c, int face, const Extent& size, GLenum internalFormat);
   void baseChanged(Context& c, int face);
   void deriveChain(Context& c, int face);
   bool baseComplete() const;
@@ -149,9 +164,9 @@ struct Texture {
 
   // texture_storage.cpp. All but the first two: false, or no image, when out of memory.
   Place placeOf(int face, int level) const;
-  bool usable(const std::shared_ptr<render::Image>& image, render::Format format, int width, int height,
+  bool usable(const std::shared_ptr<render::Image>& image, render::Format format, const Extent& size,
               int level) const;
-  std::shared_ptr<render::Image> createImage(Context& c, render::Format format, int width, int height,
+  std::shared_ptr<render::Image> createImage(Context& c, render::Format format, const Extent& size,
                                              int levels) const;
   render::Format commonFormat(int levelCount) const;
   bool copyTexels(Context& c, int face, int level, const Place& to) const;
@@ -191,6 +206,7 @@ inline constexpr const char* kTextureTargets =
 
 Fault wrongImageTarget(GLenum target);
 Fault wrongSize(GLsizei width, GLsizei height, GLint border);
+Fault wrongVolume(GLsizei width, GLsizei height, GLsizei depth, GLint border);
 Fault outsideLevel();
 Fault immutable();
 

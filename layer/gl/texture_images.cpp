@@ -13,35 +13,11 @@ using render::Format;
 
 namespace {
 
-// Table 3.9: components can be dropped, not added.
-bool canCopy(const render::Framebuffer& framebuffer, GLenum internalFormat) {
-  if (!framebuffer.color.image) return false;
-  const render::FormatInfo& has = render::info(framebuffer.color.image->desc().format);
-  switch (baseFormatOf(internalFormat)) {
-    case GL_ALPHA:
-      return has.alpha != 0;
-    case GL_LUMINANCE:
-      return has.red != 0 || has.luminance != 0;
-    case GL_LUMINANCE_ALPHA:
-      return (has.red != 0 || has.luminance != 0) && has.alpha != 0;
-    case GL_RGB:
-      return has.red != 0;
-    default:
-      return has.red != 0 && has.alpha != 0;
-  }
-}
-
 // What CopyTexImage2D stores: no more bits than the framebuffer has, but those of a sized format.
 Format copiedFormat(Format framebuffer, GLenum internalFormat) {
   if (isSized(internalFormat)) return sizedFormat(internalFormat);
   if (pixelFormatOf(framebuffer).format == internalFormat) return framebuffer;
   return formatOf(internalFormat, GL_UNSIGNED_BYTE);
-}
-
-Fault cannotCopy() {
-  return wrongState("The framebuffer lacks components of the texture, or the level takes none",
-                    "Copy to a format with the framebuffer's components or fewer (table 3.9), of a level "
-                    "that was specified");
 }
 
 }  // namespace
@@ -56,19 +32,13 @@ GL_API void GL_APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalf
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
   const GLenum internal = static_cast<GLenum>(internalformat);
-  if (!validLevel(texture, level))
-    return c->setError(GL_INVALID_VALUE,
-                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (!validLevel(texture, level)) return c->setError(GL_INVALID_VALUE, wrongLevel(level));
   if (const CompressedFormat* blocks = compressedFormat(internal))
     return c->setError(blocks->errors.texImage);
   if (!isTexImageFormat(internal))
     return c->setError(GL_INVALID_VALUE, wrongEnum("internalformat", internal,
                                                    "Use a base format such as RGBA, the same as format"));
-  if (!isPixelFormat(format) || !isPixelType(type))
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum(isPixelFormat(format) ? "type" : "format", isPixelFormat(format) ? type : format,
-                  "Use a format such as RGBA and a type such as UNSIGNED_BYTE"));
+  if (!isPixelPair(format, type)) return c->setError(GL_INVALID_ENUM, wrongPixelPair(format, type));
   if (!validSize(*c, image.slot, level, width, height) || border != 0)
     return c->setError(GL_INVALID_VALUE, wrongSize(width, height, border));
   if (!combines(internal, format, type) || texture.immutable())
@@ -79,7 +49,7 @@ GL_API void GL_APIENTRY glTexImage2D(GLenum target, GLint level, GLint internalf
 
   const Format given = formatOf(format, type);
   const PixelRows rows{pixels, rowPitch(width, given, c->unpackAlignment), given};
-  if (!texture.specify(*c, image.face, level, width, height, internal, rows)) c->setError(GL_OUT_OF_MEMORY);
+  if (!texture.specify(*c, image.face, level, {width, height}, internal, rows)) c->setError(GL_OUT_OF_MEMORY);
 }
 
 GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset,
@@ -91,15 +61,9 @@ GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffse
   if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
-  if (!validLevel(texture, level))
-    return c->setError(GL_INVALID_VALUE,
-                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (!validLevel(texture, level)) return c->setError(GL_INVALID_VALUE, wrongLevel(level));
   if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, wrongSize(width, height, 0));
-  if (!isPixelFormat(format) || !isPixelType(type))
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum(isPixelFormat(format) ? "type" : "format", isPixelFormat(format) ? type : format,
-                  "Use a format such as RGBA and a type such as UNSIGNED_BYTE"));
+  if (!isPixelPair(format, type)) return c->setError(GL_INVALID_ENUM, wrongPixelPair(format, type));
   const TextureLevel& t = texture.at(image.face, level);
   const Format given = formatOf(format, type);
   // A compressed level takes none (sections 3.7.3, 3.7.4); nor does one that was never specified.
@@ -111,8 +75,8 @@ GL_API void GL_APIENTRY glTexSubImage2D(GLenum target, GLint level, GLint xoffse
   if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outsideLevel());
 
   const PixelRows rows{pixels, rowPitch(width, given, c->unpackAlignment), given};
-  const render::Rect rect{xoffset, yoffset, width, height};
-  if (!texture.replace(*c, image.face, level, rect, rows)) c->setError(GL_OUT_OF_MEMORY);
+  const Box box{xoffset, yoffset, 0, {width, height}};
+  if (!texture.replace(*c, image.face, level, box, rows)) c->setError(GL_OUT_OF_MEMORY);
 }
 
 GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum internalformat, GLint x, GLint y,
@@ -129,9 +93,7 @@ GL_API void GL_APIENTRY glCopyTexImage2D(GLenum target, GLint level, GLenum inte
   if (!isCopyFormat(internalformat))
     return c->setError(GL_INVALID_ENUM,
                        wrongEnum("internalformat", internalformat, "Use a base format such as RGBA"));
-  if (!validLevel(texture, level))
-    return c->setError(GL_INVALID_VALUE,
-                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (!validLevel(texture, level)) return c->setError(GL_INVALID_VALUE, wrongLevel(level));
   if (!validSize(*c, image.slot, level, width, height) || border != 0)
     return c->setError(GL_INVALID_VALUE, wrongSize(width, height, border));
   const render::Framebuffer& framebuffer = c->readFramebuffer;
@@ -154,9 +116,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   if (image.slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongImageTarget(target));
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, image.slot);
-  if (!validLevel(texture, level))
-    return c->setError(GL_INVALID_VALUE,
-                       wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
+  if (!validLevel(texture, level)) return c->setError(GL_INVALID_VALUE, wrongLevel(level));
   if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, wrongSize(width, height, 0));
   if (const GLenum error = readError(*c)) return c->setError(error, unreadable());
   const TextureLevel& t = texture.at(image.face, level);
@@ -168,7 +128,7 @@ GL_API void GL_APIENTRY glCopyTexSubImage2D(GLenum target, GLint level, GLint xo
   if (!inside(t, xoffset, yoffset, width, height)) return c->setError(GL_INVALID_VALUE, outsideLevel());
 
   const render::Rect rect{x, y, width, height};
-  if (!texture.replaceFromFramebuffer(*c, image.face, level, xoffset, yoffset, rect)) {
+  if (!texture.replaceFromFramebuffer(*c, image.face, level, xoffset, yoffset, 0, rect)) {
     c->setError(GL_OUT_OF_MEMORY);
   }
 }

@@ -3,6 +3,7 @@
 
 #include "gen/ati.h"
 #include "layer/gl/framebuffer_object.h"
+#include "layer/gl/missing_enums.h"
 #include "layer/gl/texture.h"
 
 namespace anteroom::gl {
@@ -18,6 +19,7 @@ struct Target {
 constexpr Target kByPriority[] = {
     {kSlotExternal, gen::TextureTarget::Texture2D},  // OES_EGL_image_external: before all others
     {kSlotCube, gen::TextureTarget::CubeMap},
+    {kSlot3D, gen::TextureTarget::Texture3D},  // as in EXT_texture3D: before TEXTURE_2D
     {kSlot2D, gen::TextureTarget::Texture2D},
 };
 
@@ -79,6 +81,8 @@ TextureSlot bindingSlot(GLenum target) {
       return kSlot2D;
     case GL_TEXTURE_CUBE_MAP_OES:
       return kSlotCube;
+    case GL_TEXTURE_3D_OES:
+      return kSlot3D;
     case GL_TEXTURE_EXTERNAL_OES:
       return kSlotExternal;
     default:

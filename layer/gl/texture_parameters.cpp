@@ -1,5 +1,6 @@
 // TexParameter and its queries (sections 3.7.5, 6.1.3).
 #include "gen/ati.h"
+#include "layer/gl/missing_enums.h"
 #include "layer/gl/params.h"
 #include "layer/gl/texture.h"
 
@@ -57,6 +58,8 @@ void setParameter(GLenum target, GLenum pname, const Params& params,
       return assign(*c, texture, sampler.wrapS, value, isWrapMode(slot, value), command);
     case GL_TEXTURE_WRAP_T:
       return assign(*c, texture, sampler.wrapT, value, isWrapMode(slot, value), command);
+    case GL_TEXTURE_WRAP_R_OES:
+      return assign(*c, texture, sampler.wrapR, value, isWrapMode(slot, value), command);
     case GL_GENERATE_MIPMAP:
       if (slot == kSlotExternal && params.boolean())
         return c->setError(GL_INVALID_ENUM,
@@ -110,6 +113,8 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
       return results.enumerant(texture.sampler.wrapS);
     case GL_TEXTURE_WRAP_T:
       return results.enumerant(texture.sampler.wrapT);
+    case GL_TEXTURE_WRAP_R_OES:
+      return results.enumerant(texture.sampler.wrapR);
     // Not scaled in fixed point, like the value that sets it.
     case GL_GENERATE_MIPMAP:
       return results.enumerant(texture.generateMipmap ? GL_TRUE : GL_FALSE);

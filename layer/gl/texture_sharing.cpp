@@ -29,14 +29,11 @@ bool Texture::holdsChain(int length) const {
 int Texture::consistentLevels() const {
   if (!baseComplete()) return 0;
   const TextureLevel& base = at(0, 0);
-  const int length = chainLength(base.width, base.height);
+  const int length = chainLength(base.extent());
   for (int level = 1; level < length; ++level) {
     for (int face = 0; face < faces(); ++face) {
       const TextureLevel& t = at(face, level);
-      if (t.internalFormat != base.internalFormat || t.width != std::max(base.width >> level, 1) ||
-          t.height != std::max(base.height >> level, 1)) {
-        return level;
-      }
+      if (t.internalFormat != base.internalFormat || t.extent() != levelExtent(level)) return level;
     }
   }
   return length;

@@ -12,12 +12,15 @@ using render::Image;
 
 bool upload(Context& c, Image& image, const render::Region& region, const PixelRows& rows) {
   const Format format = image.desc().format;
-  if (rows.format == format) return c.renderer->upload(image, region, rows.data, rows.pitch, 0);
-  const std::unique_ptr<std::byte[]> texels = allocateTexels(region.width, region.height, format, false);
+  const size_t height = static_cast<size_t>(region.height);
+  if (rows.format == format)
+    return c.renderer->upload(image, region, rows.data, rows.pitch, rows.pitch * height);
+  const int rowCount = region.height * region.depth;
+  const std::unique_ptr<std::byte[]> texels = allocateTexels(region.width, rowCount, format, false);
   if (!texels) return false;
   const size_t pitch = rowPitch(region.width, format, 1);
-  convertRows(rows, region.width, region.height, format, texels.get(), pitch);
-  return c.renderer->upload(image, region, texels.get(), pitch, 0);
+  convertRows(rows, region.width, rowCount, format, texels.get(), pitch);
+  return c.renderer->upload(image, region, texels.get(), pitch, pitch * height);
 }
 
 bool clear(Context& c, Image& image, const render::Region& region) {
@@ -38,21 +41,25 @@ Texture::Place Texture::placeOf(int face, int level) const {
 }
 
 // Whether level `level` of `image` is such a one.
-bool Texture::usable(const std::shared_ptr<Image>& image, Format format, int width, int height,
+bool Texture::usable(const std::shared_ptr<Image>& image, Format format, const Extent& size,
                      int level) const {
   if (!image) return false;
   const render::ImageDesc& desc = image->desc();
-  return level < desc.levels && desc.format == format && width == std::max(desc.width >> level, 1) &&
-         height == std::max(desc.height >> level, 1);
+  const auto at = [level](int base) { return std::max(base >> level, 1); };
+  return level < desc.levels && desc.format == format &&
+         size == Extent{at(desc.width), at(desc.height), at(desc.depth)};
 }
 
-std::shared_ptr<Image> Texture::createImage(Context& c, Format format, int width, int height,
+std::shared_ptr<Image> Texture::createImage(Context& c, Format format, const Extent& size,
                                             int levelCount) const {
   render::ImageDesc desc;
-  desc.dimension = slot == kSlotCube ? Dimension::Cube : Dimension::Flat;
+  desc.dimension = slot == kSlotCube ? Dimension::Cube
+                   : slot == kSlot3D ? Dimension::Volume
+                                     : Dimension::Flat;
   desc.format = format;
-  desc.width = width;
-  desc.height = height;
+  desc.width = size.width;
+  desc.height = size.height;
+  desc.depth = size.depth;
   desc.levels = levelCount;
   std::shared_ptr<Image> image = c.device.createImage(desc);
   if (image && !label.empty()) image->setLabel(label);
@@ -72,21 +79,25 @@ Format Texture::commonFormat(int levelCount) const {
 
 bool Texture::copyTexels(Context& c, int face, int level, const Place& to) const {
   const TextureLevel& t = at(face, level);
-  const render::Region region{to.level, to.layer, 0, 0, 0, t.width, t.height, 1};
+  render::Region region{to.level, to.layer, 0, 0, 0, t.width, t.height, t.depth};
   if (t.pending) {
     return upload(c, *to.image, region, {t.pending.get(), rowPitch(t.width, t.format, 1), t.format});
   }
   if (!t.home) return true;
   const render::ImageDesc &from = t.home->desc(), &into = to.image->desc();
-  if (from.dimension == Dimension::Flat && into.dimension == Dimension::Flat && from.format == into.format) {
+  if (from.dimension == into.dimension && from.dimension != Dimension::Cube && from.format == into.format) {
     return c.renderer->copyLevel(*to.image, to.level, *t.home, t.homeLevel);
   }
   const Place source = placeOf(face, level);
   render::Framebuffer framebuffer;
-  framebuffer.color = {source.image, source.level, source.layer};
   framebuffer.width = t.width;
   framebuffer.height = t.height;
-  return c.renderer->copyFromFramebuffer(*to.image, region, framebuffer, 0, 0);
+  region.depth = 1;
+  for (region.z = 0; region.z < t.depth; ++region.z) {
+    framebuffer.color = {source.image, source.level, source.layer + region.z};
+    if (!c.renderer->copyFromFramebuffer(*to.image, region, framebuffer, 0, 0)) return false;
+  }
+  return true;
 }
 
 // Makes `to` the place of a level's texels.
@@ -142,11 +153,13 @@ bool Texture::deriveInto(Context& c, const std::shared_ptr<Image>& image) {
 // Computes the derived levels of one face, in an image of its own.
 bool Texture::settle(Context& c, int face) {
   const TextureLevel& base = at(face, 0);
-  const int length = chainLength(base.width, base.height);
+  const int length = chainLength(base.extent());
   render::ImageDesc desc;
+  desc.dimension = slot == kSlot3D ? Dimension::Volume : Dimension::Flat;
   desc.format = base.format;
   desc.width = base.width;
   desc.height = base.height;
+  desc.depth = base.depth;
   desc.levels = length;
   const std::shared_ptr<Image> image = c.device.createImage(desc);
   if (!image || !copyTexels(c, face, 0, {image, 0, 0}) || !c.renderer->generateMipmaps(*image)) return false;
@@ -166,8 +179,8 @@ bool Texture::realise(Context& c, int levelCount) {
   const TextureLevel& base = at(0, 0);
   const Format format = commonFormat(levelCount);
   std::shared_ptr<Image> image = image_;
-  if (!usable(image, format, base.width, base.height, 0) || image->desc().levels < levelCount) {
-    image = createImage(c, format, base.width, base.height, levelCount);
+  if (!usable(image, format, base.extent(), 0) || image->desc().levels < levelCount) {
+    image = createImage(c, format, base.extent(), levelCount);
     if (!image) return false;
   }
   bool any = false, all = true;
@@ -204,8 +217,8 @@ bool Texture::reside(Context& c, int face, int level) {
   const TextureLevel& t = at(face, level);
   if (t.home) return true;
   if (level == 0 && complete()) return sampled(c) != nullptr;
-  if (!usable(image_, t.format, t.width, t.height, level)) {
-    const std::shared_ptr<Image> image = createImage(c, t.format, t.width, t.height, 1);
+  if (!usable(image_, t.format, t.extent(), level)) {
+    const std::shared_ptr<Image> image = createImage(c, t.format, t.extent(), 1);
     if (!image || !move(c, face, level, image, 0)) return false;
     if (level == 0) image_ = image;
     return true;
@@ -224,11 +237,11 @@ bool Texture::copyLevel(Context& c, int level, Texture& source, int sourceLevel)
   return true;
 }
 
-render::Attachment Texture::attachment(Context& c, int face, int level) {
+render::Attachment Texture::attachment(Context& c, int face, int level, int slice) {
   if (hasDerived(face) && !settle(c, face)) return {};
   if (!reside(c, face, level)) return {};
   const Place place = placeOf(face, level);
-  return {place.image, place.level, place.layer};
+  return {place.image, place.level, place.layer + slice};
 }
 
 }  // namespace anteroom::gl
