@@ -29,7 +29,7 @@ struct Frame {
 
 std::vector<Frame> frames() {
   std::vector<Frame> result;
-  for (const char* demo : {"lighting", "particles", "postprocessing", "water"}) {
+  for (const char* demo : {"lighting", "particles", "postprocessing", "skinning", "water"}) {
     const bool layers = std::string_view(demo) == "particles";
     for (int seconds : {0, 3, 7})
       for (const auto& [width, height] : {std::pair{96, 72}, {256, 256}})

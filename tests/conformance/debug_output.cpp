@@ -164,6 +164,7 @@ TEST_F(DebugOutput, InitialState) {
 
 // Every error says in which call it happened, what was wrong, and what to do.
 TEST_F(DebugOutput, ErrorsSayWhatIsWrong) {
+  MESA_DISAGREES("KHR_debug", "the text of a message is each implementation's own");
   listen();
   const struct {
     std::function<void()> call;
