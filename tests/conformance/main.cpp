@@ -9,18 +9,17 @@ namespace {
 
 class NameChapter : public testing::EmptyTestEventListener {
  public:
+  // GoogleTest holds a lock while it reports a failure: which test runs must be known by then.
+  void OnTestStart(const testing::TestInfo& test) override { chapter_ = test.test_suite_name(); }
   void OnTestPartResult(const testing::TestPartResult& result) override {
-    if (!result.failed()) return;
-    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-    const std::string chapter = test ? test->test_suite_name() : "set-up";
-    if (chapter == named_) return;
-    named_ = chapter;
-    fmt::print("FAILED chapter {}\n", chapter);
+    if (!result.failed() || chapter_ == named_) return;
+    named_ = chapter_;
+    fmt::print("FAILED chapter {}\n", chapter_);
     std::fflush(stdout);
   }
 
  private:
-  std::string named_;
+  std::string chapter_ = "set-up", named_;
 };
 
 }  // namespace
