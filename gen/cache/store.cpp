@@ -3,6 +3,7 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <initializer_list>
@@ -36,7 +37,7 @@ int64_t checksum(int64_t id, std::span<const std::byte> spirv) {
 
 std::vector<uint32_t> words(std::span<const std::byte> bytes) {
   std::vector<uint32_t> result(bytes.size() / sizeof(uint32_t));
-  std::memcpy(result.data(), bytes.data(), result.size() * sizeof(uint32_t));
+  if (!result.empty()) std::memcpy(result.data(), bytes.data(), result.size() * sizeof(uint32_t));
   return result;
 }
 
@@ -144,7 +145,7 @@ Found Store::find(KeyKind kind, KeyBytes key, std::vector<uint32_t>& spirv) {
   if (code == SQLITE_ROW) {
     const auto stored = find_.blob(3), code_ = find_.blob(4);
     const bool same = find_.number(0) == static_cast<int>(kind) && find_.text(1) == generatorVersion() &&
-                      stored.size() == key.size() && std::memcmp(stored.data(), key.data(), key.size()) == 0;
+                      std::equal(stored.begin(), stored.end(), key.begin(), key.end());
     found = same && plausibleSpirv(code_) && checksum(id, code_) == find_.number(2) ? Found::Hit : Found::Bad;
     if (found == Found::Hit) spirv = words(code_);
   }

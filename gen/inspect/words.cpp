@@ -13,19 +13,12 @@ namespace {
 struct Topic {
   std::string_view begins, topic;
 };
-constexpr Topic kVertexTopics[] = {{"coord", "texture unit #"},
-                                   {"out", "texture unit #"},
-                                   {"texgen", "texture unit #"},
-                                   {"matrix", "texture unit #"},
-                                   {"q1-", "texture unit #"},
-                                   {"fog", "fog"},
-                                   {"clip", "clip planes"},
-                                   {"point", "points"},
-                                   {"size", "points"},
-                                   {"position", "arrays"},
-                                   {"color-material", "lighting"},
-                                   {"color", "arrays"},
-                                   {"own-values", "batching"}};
+constexpr Topic kVertexTopics[] = {
+    {"coord", "texture unit #"},  {"out", "texture unit #"}, {"texgen", "texture unit #"},
+    {"matrix", "texture unit #"}, {"q1-", "texture unit #"}, {"fog", "fog"},
+    {"clip", "clip planes"},      {"point", "points"},       {"size", "points"},
+    {"positional", "lighting"},   {"position", "arrays"},    {"color-material", "lighting"},
+    {"color", "arrays"},          {"own-values", "batching"}};
 constexpr Topic kFragmentTopics[] = {{"unit", "texture unit #"},
                                      {"read", "texture unit #"},
                                      {"rgb", "texture unit #"},

@@ -154,6 +154,7 @@ int main(int argc, char** argv) {
       drawDemo(argv[2]);
       return 0;
     }
+    std::setvbuf(stdout, nullptr, _IOLBF, 0);
     reportFile();
     reportDemos("/proc/self/exe");
     fmt::print(
