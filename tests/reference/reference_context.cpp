@@ -212,7 +212,7 @@ bool ReferenceContext::copyFromFramebuffer(render::Image& target, const render::
       const int64_t px = int64_t(x) + i, py = int64_t(y) + j;
       if (px < 0 || py < 0 || px >= source.width || py >= source.height) continue;
       const glm::dvec4 color = resolved(source, static_cast<int>(px), static_cast<int>(py));
-      const size_t at = image.index(region.level, region.x + i, region.y + j, region.layer);
+      const size_t at = image.index(region.level, region.x + i, region.y + j, region.layer + region.z);
       image.level(region.level).color[at] = quantise(image.desc().format, linear(image.desc().format, color));
     }
   return true;
