@@ -51,23 +51,10 @@ Terms termsOf(std::string_view stage) {
   return {stage == "bump", stage == "spot" || stage == "specular", stage == "specular", stage == "shadows"};
 }
 
-// What every pass starts from: depth tested but not written, no texture, no array but the positions.
+// What every pass starts from: depth tested but not written.
 void resetState() {
-  for (int unit = kUnits - 1; unit >= 0; --unit) {
-    loadTextureMatrix(unit, glm::dmat4(1.0));
-    glDisable(GL_TEXTURE_2D);
-    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-  }
-  glDisableClientState(GL_COLOR_ARRAY);
-  glDisableClientState(GL_NORMAL_ARRAY);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
+  room::resetPasses(kUnits);
   glDepthMask(GL_FALSE);
-  glEnable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glDisable(GL_STENCIL_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
 }
 

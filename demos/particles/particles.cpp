@@ -59,22 +59,6 @@ glm::dvec3 lightOf(double strength) {
   return {strength, std::pow(strength, 1.12), std::pow(strength, 1.25)};
 }
 
-void resetState() {
-  for (int unit = kUnits - 1; unit >= 0; --unit) {
-    loadTextureMatrix(unit, glm::dmat4(1.0));
-    modulate();
-    glDisable(GL_TEXTURE_2D);
-    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-  }
-  glDisableClientState(GL_COLOR_ARRAY);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glEnable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-}
-
 // The particles as two triangles each, made by the program.
 struct Quads {
   static constexpr std::size_t kBatch = 16384;  // as many as 16-bit indices reach
@@ -91,7 +75,7 @@ bool attenuatesArray() {
   constexpr std::array<GLfloat, 2> kMiddle = {0, 0};
   constexpr GLfloat kSize = kSide;
   constexpr std::array<GLfloat, 3> kHalf = {4, 0, 0};
-  resetState();
+  room::resetPasses(kUnits);
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
   glMatrixMode(GL_MODELVIEW);
@@ -160,7 +144,7 @@ void Particles::setup() {
 
 void Particles::frame(const room::View& view, std::string_view stage) {
   lookFrom(view);
-  resetState();
+  room::resetPasses(kUnits);
   glDepthMask(GL_TRUE);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -180,7 +164,7 @@ void Particles::frame(const room::View& view, std::string_view stage) {
       drawPoints(attenuationFor(view));
     }
   }
-  resetState();
+  room::resetPasses(kUnits);
   glDepthMask(GL_TRUE);
 }
 
@@ -201,7 +185,7 @@ void Particles::lookFrom(const room::View& view) {
 
 // Color = base * flicker, then * 2 * lightmap.
 void Particles::drawWalls(const Flicker& flicker) {
-  resetState();
+  room::resetPasses(kUnits);
   for (const Wall& wall : cellar_->walls()) {
     useTexture(0, *wall.base);
     modulate();
@@ -220,7 +204,7 @@ void Particles::drawWalls(const Flicker& flicker) {
 
 // Color = base * light in the vertices, then * 2 * flicker.
 void Particles::drawFurniture(const Flicker& flicker) {
-  resetState();
+  room::resetPasses(kUnits);
   glEnableClientState(GL_COLOR_ARRAY);
   const glm::vec4 strength(lightOf(flicker.strength), 1.0);
   for (const Furniture& piece : cellar_->furniture()) {
@@ -239,7 +223,7 @@ void Particles::drawFurniture(const Flicker& flicker) {
 // Everything that is drawn in the flame's texture: premultiplied colors over what is there, hidden by the
 // room but not by each other.
 void Particles::beginAdding() {
-  resetState();
+  room::resetPasses(kUnits);
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);

@@ -38,23 +38,6 @@ struct Camera {
   glm::dmat4 projection;
 };
 
-void resetState() {
-  room::loadTextureMatrix(0, glm::dmat4(1.0));
-  glClientActiveTexture(GL_TEXTURE0);
-  glDisable(GL_TEXTURE_2D);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-  glDisableClientState(GL_COLOR_ARRAY);
-  glDisableClientState(GL_NORMAL_ARRAY);
-  glDisable(GL_LIGHTING);
-  glDisable(GL_BLEND);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_CULL_FACE);
-  room::setColor(glm::dvec3(1));
-}
-
 // Goes around the room, never low.
 glm::vec4 lightDirection(double time) {
   const double turn = glm::two_pi<double>() * time / 9.0 + 0.6;
@@ -122,7 +105,7 @@ void Reflect::frame(const room::View& view, std::string_view stage) {
     if (stage != "proxy") drawBall(camera, finished);
   }
   if (finished) drawOverlay(view);
-  resetState();
+  room::resetPasses(1);
 }
 
 void Reflect::renderFaces(double time) {
@@ -159,7 +142,7 @@ void Reflect::showFaces(const room::View& view) {
 
 // The camera's projection, and the light where it is in the world.
 void Reflect::begin(const Camera& camera, double time) {
-  resetState();
+  room::resetPasses(1);
   glMatrixMode(GL_PROJECTION);
   room::loadMatrix(camera.projection);
   glMatrixMode(GL_MODELVIEW);
@@ -202,7 +185,7 @@ void Reflect::drawThing(const Camera& camera, const Thing& thing, Version versio
 }
 
 void Reflect::drawBall(const Camera& camera, bool reflection) {
-  resetState();
+  room::resetPasses(1);
   room::loadMatrix(glm::translate(camera.view, kBallCenter));
   glEnable(GL_LIGHTING);
   glEnableClientState(GL_NORMAL_ARRAY);
@@ -222,7 +205,7 @@ void Reflect::drawBall(const Camera& camera, bool reflection) {
 }
 
 void Reflect::drawOverlay(const room::View& view) {
-  resetState();
+  room::resetPasses(1);
   const std::size_t all = playroom_->things().size();
   std::vector<std::string> lines;
   for (std::size_t face = 0; face < kFaceNames.size(); ++face) {

@@ -4,6 +4,27 @@
 
 namespace room {
 
+void resetPasses(int units) {
+  for (int unit = units - 1; unit >= 0; --unit) {
+    loadTextureMatrix(unit, glm::dmat4(1.0));
+    modulate();
+    glDisable(GL_TEXTURE_2D);
+    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
+  }
+  glDisableClientState(GL_COLOR_ARRAY);
+  glDisableClientState(GL_NORMAL_ARRAY);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glDisable(GL_LIGHTING);
+  glDisable(GL_STENCIL_TEST);
+  setColor(glm::dvec3(1));
+}
+
 void useTexture(int unit, const Texture& texture) {
   glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
   glEnable(GL_TEXTURE_2D);

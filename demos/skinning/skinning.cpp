@@ -75,26 +75,6 @@ class Skinning final : public room::Demo {
   glm::dmat4 camera_{1.0};
 };
 
-void resetState() {
-  for (int unit = 1; unit >= 0; --unit) {
-    loadTextureMatrix(unit, glm::dmat4(1.0));
-    modulate();
-    glDisable(GL_TEXTURE_2D);
-    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-  }
-  glDisableClientState(GL_COLOR_ARRAY);
-  glDisableClientState(GL_NORMAL_ARRAY);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glDisable(GL_LIGHTING);
-  glDisable(GL_STENCIL_TEST);
-}
-
 // What the hand mirrors: lamp, candles and the window, from its middle.
 std::array<room::Image, 6> mirrored(const Parlour& parlour) {
   const glm::dvec3 middle = kWrist + glm::dvec3(0, 0.12, 0);
@@ -124,7 +104,7 @@ void Skinning::setup() {
 
 void Skinning::frame(const room::View& view, std::string_view stage) {
   const double flicker = flickerAt(view.time);
-  resetState();
+  room::resetPasses(2);
   glClearColor(0, 0, 0, 1);
   glClearStencil(0);
   glStencilMask(~0U);
@@ -139,7 +119,7 @@ void Skinning::frame(const room::View& view, std::string_view stage) {
     drawBall(stage);
     drawHalos(flicker);
   }
-  resetState();
+  room::resetPasses(2);
 }
 
 void Skinning::lookFrom(const room::View& view) {
@@ -179,7 +159,7 @@ void Skinning::drawParlour(double flicker) const {
     part.mesh->bindColors();
     part.mesh->draw();
   }
-  resetState();
+  room::resetPasses(2);
 }
 
 // The hand's, on the table and on the wall.
@@ -204,7 +184,7 @@ void Skinning::drawShadows() const {
   room::loadMatrix(camera_);
   glStencilMask(~0U);
   glDisable(GL_POLYGON_OFFSET_FILL);
-  resetState();
+  room::resetPasses(2);
 }
 
 // Where `receiver` is marked and `mark` not yet; marks it.
@@ -287,7 +267,7 @@ void Skinning::endGlazing() const {
   glTexEnvi(GL_TEXTURE_ENV, GL_OPERAND1_RGB, GL_SRC_COLOR);
   glDisable(GL_TEXTURE_CUBE_MAP_OES);
   glDisable(GL_TEXTURE_GEN_STR_OES);
-  resetState();
+  room::resetPasses(2);
 }
 
 void Skinning::drawHand(std::string_view stage, double flicker) const {
@@ -343,7 +323,7 @@ void Skinning::drawHalos(double flicker) const {
     glVertexPointer(3, GL_FLOAT, 0, quad.data());
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
-  resetState();
+  room::resetPasses(2);
 }
 
 }  // namespace

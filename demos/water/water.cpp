@@ -54,25 +54,6 @@ float puddleShare(double cosine) {
   return static_cast<float>(0.16 + 0.80 * grazing * grazing);
 }
 
-void resetState() {
-  for (int unit = kUnits - 1; unit >= 0; --unit) {
-    loadTextureMatrix(unit, glm::dmat4(1.0));
-    modulate();
-    glDisable(GL_TEXTURE_2D);
-    glClientActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glDisableClientState(GL_TEXTURE_COORD_ARRAY);
-  }
-  glDisableClientState(GL_COLOR_ARRAY);
-  glDisableClientState(GL_NORMAL_ARRAY);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glEnable(GL_DEPTH_TEST);
-  glDepthFunc(GL_LEQUAL);
-  glDepthMask(GL_TRUE);
-  glEnable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  setColor(glm::dvec3(1));
-}
-
 void clear() {
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -163,7 +144,7 @@ void Water::frame(const room::View& view, std::string_view stage) {
     if (finished) drawLilies();
   }
   if (finished) drawShaft();
-  resetState();
+  room::resetPasses(kUnits);
 }
 
 // Once, from the middle of the surface, which what is drawn stands still around.
@@ -193,13 +174,13 @@ void Water::renderMirror() {
 
 // The room without its floor; leaves the camera's matrices loaded.
 void Water::drawAbove(const Camera& camera) {
-  resetState();
+  room::resetPasses(kUnits);
   glMatrixMode(GL_PROJECTION);
   room::loadMatrix(camera.projection);
   glMatrixMode(GL_MODELVIEW);
   room::loadMatrix(camera.view);
   for (const Surface& wall : atrium_->walls()) drawLightmapped(wall);
-  resetState();
+  room::resetPasses(kUnits);
   glEnableClientState(GL_COLOR_ARRAY);
   for (const Furniture& piece : atrium_->furniture()) drawFurniture(piece);
 }
@@ -232,7 +213,7 @@ void Water::drawFurniture(const Furniture& piece) {
 // With puddles, a third unit mixes in the mirror's picture: the base map's alpha, times the share in the
 // vertices', is how much of it.
 void Water::drawFloor(bool puddles) {
-  resetState();
+  room::resetPasses(kUnits);
   if (puddles) {
     glEnableClientState(GL_COLOR_ARRAY);
     glActiveTexture(GL_TEXTURE2);
@@ -257,7 +238,7 @@ void Water::drawFloor(bool puddles) {
 }
 
 void Water::drawPool() {
-  resetState();
+  room::resetPasses(kUnits);
   useTexture(0, atrium_->poolTexture());
   combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, kLightScale);
   useTexCoords(0, atrium_->pool());
@@ -268,7 +249,7 @@ void Water::drawPool() {
 // Unit 0: the pool's picture * what the water leaves of its light. Unit 1: the surroundings, for Fresnel's
 // share.
 void Water::drawWater(bool refraction, bool reflection) {
-  resetState();
+  room::resetPasses(kUnits);
   sheet_.bindPositions();
   if (refraction) {
     glActiveTexture(GL_TEXTURE0);
@@ -294,7 +275,7 @@ void Water::drawWater(bool refraction, bool reflection) {
 }
 
 void Water::drawLilies() {
-  resetState();
+  room::resetPasses(kUnits);
   glDisable(GL_CULL_FACE);
   glEnableClientState(GL_COLOR_ARRAY);
   for (const glm::dvec3& lily : kLilies) {
@@ -321,7 +302,7 @@ void Water::drawLilies() {
 
 // Adds to what is there, and hides nothing.
 void Water::drawShaft() {
-  resetState();
+  room::resetPasses(kUnits);
   glDisable(GL_CULL_FACE);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
@@ -333,7 +314,7 @@ void Water::drawShaft() {
   atrium_->shaft().bindPositions();
   atrium_->shaft().bindColors();
   atrium_->shaft().draw();
-  resetState();
+  room::resetPasses(kUnits);
 }
 
 }  // namespace
