@@ -1,5 +1,5 @@
-// The Rooms demos: `rooms NAME` renders one of them to picture files, `rooms bench` measures them, `rooms
-// study water` measures the integrators of the Water demo's springs.
+// The Rooms demos: `rooms NAME` renders one of them to picture files or shows it in a window, `rooms bench`
+// measures them, `rooms study water` measures the integrators of the Water demo's springs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,6 +16,7 @@
 #include "program/bench.h"
 #include "program/options.h"
 #include "program/render.h"
+#include "program/window.h"
 #include "reflect/reflect.h"
 #include "room/context.h"
 #include "room/picture.h"
@@ -108,12 +109,19 @@ void describeRendering(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(CLI::IsMember({"png", "exr", "gif"}));
   app.add_flag("--contact-sheet", options.contactSheet, "all frames side by side in one picture");
-  app.add_flag("--stats", options.stats,
-               "print what a frame takes: draws, uploads and so on that the program counts, and time");
+  CLI::Option* stats =
+      app.add_flag("--stats", options.stats,
+                   "print what a frame takes: draws, uploads and so on that the program counts, and time");
   describeSamples(app, options.samples);
-  app.add_option("--supersample", options.supersample, "render this many times larger and average")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 4));
+  CLI::Option* supersample =
+      app.add_option("--supersample", options.supersample, "render this many times larger and average")
+          ->capture_default_str()
+          ->check(CLI::Range(1, 4));
+  app.add_flag("--window", options.window,
+               "show the demo in a window, in real time; H shows what the keys do. With --frames just those, "
+               "which go to files, too")
+      ->excludes(stats)
+      ->excludes(supersample);
   describeSettings(app, options.settings);
 }
 
@@ -144,6 +152,11 @@ void describeBench(CLI::App& app, BenchOptions& options, std::string& worker) {
 }
 
 int renderChosen(const Options& options) {
+  if (options.window) {
+    if (options.demo == "all") throw UsageError("--window shows one demo, not all of them");
+    program::show(*program::chosenDemos(demos(), options.demo).front(), options);
+    return 0;
+  }
   for (const room::DemoEntry* entry : program::chosenDemos(demos(), options.demo)) {
     try {
       program::render(*entry, options);
@@ -205,6 +218,7 @@ int run(int argc, char** argv) {
   }
   if (benchApp.parsed()) return benchChosen(benchOptions, worker);
   if (studyApp.parsed()) return study(studied, studyOut);
+  options.framesChosen = app.count("--frames") > 0;
   return renderChosen(options);
 }
 

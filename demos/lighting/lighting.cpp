@@ -123,6 +123,7 @@ void Lighting::frame(const room::View& view, std::string_view stage) {
   const glm::dvec3 target(0.12, 1.10, -1.2);
   eye_ = target +
          glm::dvec3(4.55 * std::sin(angle), 0.55 + 0.15 * std::sin(turn / 17.0), 4.55 * std::cos(angle));
+  eye_ = room::orbited(view, eye_, target);
   camera_ = glm::lookAt(eye_, target, glm::dvec3(0, 1, 0));
 
   glViewport(0, 0, view.width, view.height);

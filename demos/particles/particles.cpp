@@ -174,7 +174,7 @@ void Particles::lookFrom(const room::View& view) {
   const glm::dvec3 target = kBrazier + glm::dvec3(0, 1.12, 0);
   const glm::dvec3 eye =
       target + glm::dvec3(4.0 * std::sin(angle), 0.40 + 0.10 * std::sin(turn / 19.0), 4.0 * std::cos(angle));
-  camera_ = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
+  camera_ = glm::lookAt(room::orbited(view, eye, target), target, glm::dvec3(0, 1, 0));
   glViewport(0, 0, view.width, view.height);
   glMatrixMode(GL_PROJECTION);
   room::loadMatrix(

@@ -93,7 +93,7 @@ void Postprocessing::placeCamera(const room::View& view) {
   const glm::dvec3 eye(2.55 * std::sin(turn / 48.0 - 0.35), 1.78 + 0.12 * std::sin(turn / 19.0),
                        4.55 + 0.35 * std::cos(turn / 24.0));
   const glm::dvec3 target(0.16 * eye.x, 2.05, -6.0);
-  camera_ = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
+  camera_ = glm::lookAt(room::orbited(view, eye, target), target, glm::dvec3(0, 1, 0));
   projection_ =
       glm::perspective(glm::radians(46.0), static_cast<double>(view.width) / view.height, 0.2, 20.0);
 }

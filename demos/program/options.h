@@ -28,6 +28,8 @@ struct Options {
   int supersample = 1;
   bool contactSheet = false;
   bool stats = false;
+  bool window = false;
+  bool framesChosen = false;  // a window without shows all that come, in real time
   room::Settings settings;
 };
 

@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "counters.h"
+#include "frame_files.h"
 #include "room/context.h"
 #include "room/picture.h"
 #include "room/progress.h"
@@ -18,46 +18,6 @@ namespace program {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// Where the frames of one stage go.
-class Output {
- public:
-  Output(const Options& options, std::string stem)
-      : folder_(options.out),
-        format_(options.format),
-        stem_(std::move(stem)),
-        range_(parseFrames(options.frames)) {
-    if (options.contactSheet) {
-      sheet_ = std::make_unique<room::ContactSheet>(range_.count());
-    } else if (format_ == "gif") {
-      gif_ = std::make_unique<room::GifWriter>(folder_ / (stem_ + ".gif"), options.fps);
-    }
-  }
-
-  void add(int frame, const room::Picture& picture) {
-    if (sheet_) {
-      sheet_->add(picture);
-    } else if (gif_) {
-      gif_->add(picture);
-    } else {
-      const std::string name = range_.numbered ? fmt::format("{}-{:04}", stem_, frame) : stem_;
-      room::writePicture(folder_ / (name + "." + format_), picture);
-    }
-  }
-
-  void finish() {
-    if (sheet_) room::writePicture(folder_ / (stem_ + "-sheet." + format_), sheet_->picture());
-    if (gif_) gif_->close();
-  }
-
- private:
-  std::filesystem::path folder_;
-  std::string format_;
-  std::string stem_;
-  FrameRange range_;
-  std::unique_ptr<room::GifWriter> gif_;
-  std::unique_ptr<room::ContactSheet> sheet_;
-};
 
 // What the program has asked for and what the implementation has done, from one moment on.
 class Meter {
@@ -98,12 +58,12 @@ class Meter {
 void renderStage(room::Demo& demo, const room::Context& context, const std::string& stem,
                  std::string_view stage, const Options& options) {
   const FrameRange range = parseFrames(options.frames);
-  Output output(options, stem);
+  FrameFiles output(options, stem);
   room::Progress progress(stem, range.count());
   const Meter meter(context);
   Clock::duration drawing{};
   for (int frame = range.first; frame <= range.last; ++frame) {
-    const room::View view{context.width(), context.height(), options.time + frame / options.fps};
+    const room::View view{context.width(), context.height(), timeOf(options, frame)};
     const auto begin = Clock::now();
     demo.frame(view, stage);
     if (options.stats) glFinish();
@@ -119,26 +79,11 @@ void renderStage(room::Demo& demo, const room::Context& context, const std::stri
   }
 }
 
-void check(const Options& options) {
-  if (!std::isfinite(options.time + parseFrames(options.frames).last / options.fps)) {
-    throw UsageError("--time and --fps must give every frame a finite time");
-  }
-  if (!options.contactSheet) return;
-  if (options.format == "gif") throw UsageError("--contact-sheet is one picture: --format png or exr");
-  const Size size = parseSize(options.size);
-  constexpr double kMostPixels = 1e8;
-  if (static_cast<double>(size.width) * size.height * parseFrames(options.frames).count() > kMostPixels) {
-    throw UsageError(
-        "--contact-sheet: so many frames of that size are more than one picture should hold; "
-        "choose a smaller --size or fewer --frames");
-  }
-}
-
 }  // namespace
 
 void render(const room::DemoEntry& entry, const Options& options) {
   const Size size = parseSize(options.size);
-  check(options);
+  checkFrames(options);
   const std::vector<std::string_view> stages = chosenStages(*entry.make(), entry.name, options.stage);
   std::filesystem::create_directories(options.out);
 
@@ -156,9 +101,7 @@ void render(const room::DemoEntry& entry, const Options& options) {
                 std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   }
   for (std::string_view stage : stages) {
-    const bool finished = stage == demo->stages().back();
-    const std::string stem = finished ? std::string(entry.name) : fmt::format("{}-{}", entry.name, stage);
-    renderStage(*demo, context, stem, stage, options);
+    renderStage(*demo, context, stemOf(entry, *demo, stage), stage, options);
   }
 }
 

@@ -87,7 +87,7 @@ void Reflect::frame(const room::View& view, std::string_view stage) {
   const glm::dvec3 eye = target + glm::dvec3(3.55 * std::sin(angle), 1.02 + 0.12 * std::sin(turn / 21.0),
                                              3.55 * std::cos(angle));
   const Camera camera{
-      glm::lookAt(eye, target, glm::dvec3(0, 1, 0)),
+      glm::lookAt(room::orbited(view, eye, target), target, glm::dvec3(0, 1, 0)),
       glm::perspective(glm::radians(47.0), static_cast<double>(view.width) / view.height, 0.1, 15.0)};
 
   glClearColor(0, 0, 0, 1);

@@ -12,7 +12,11 @@ namespace room {
 struct View {
   int width = 0;    // pixels
   int height = 0;   // pixels
-  double time = 0;  // seconds; the picture depends on nothing else but the stage
+  double time = 0;  // seconds
+  // How the demo's own camera is moved about what it looks at (transform.h: orbited).
+  double yaw = 0;   // radians, to the right
+  double zoom = 1;  // of its distance
+  // The picture depends on nothing else but the stage.
 };
 
 // What the command line can change about single demos.

@@ -24,6 +24,13 @@ glm::dmat4 rotationToAxes(glm::dvec3 forward, glm::dvec3 up) {
   return glm::dmat4(glm::transpose(glm::dmat3(side, glm::cross(forward, side), forward)));
 }
 
+glm::dvec3 orbited(const View& view, const glm::dvec3& eye, const glm::dvec3& target) {
+  if (view.yaw == 0 && view.zoom == 1) return eye;  // to the last bit
+  const glm::dvec4 offset(eye - target, 0.0);
+  return target +
+         view.zoom * glm::dvec3(glm::rotate(glm::dmat4(1.0), view.yaw, glm::dvec3(0, 1, 0)) * offset);
+}
+
 void loadMatrix(const glm::dmat4& m) {
   const glm::mat4 rounded(m);
   glLoadMatrixf(glm::value_ptr(rounded));

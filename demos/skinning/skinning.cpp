@@ -128,7 +128,7 @@ void Skinning::lookFrom(const room::View& view) {
   const glm::dvec3 target(0.035, 1.045, 0);
   const glm::dvec3 eye = target + glm::dvec3(1.40 * std::sin(angle), 0.20 + 0.03 * std::sin(turn / 23.0),
                                              1.40 * std::cos(angle));
-  camera_ = glm::lookAt(eye, target, glm::dvec3(0, 1, 0));
+  camera_ = glm::lookAt(room::orbited(view, eye, target), target, glm::dvec3(0, 1, 0));
   glViewport(0, 0, view.width, view.height);
   glMatrixMode(GL_PROJECTION);
   room::loadMatrix(

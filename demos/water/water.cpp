@@ -119,6 +119,7 @@ void Water::frame(const room::View& view, std::string_view stage) {
   const glm::dvec3 target(0.0, 1.38, -0.9);
   eye_ =
       target + glm::dvec3(5.7 * std::sin(angle), 0.86 + 0.16 * std::sin(turn / 23.0), 5.7 * std::cos(angle));
+  eye_ = room::orbited(view, eye_, target);
   camera_.view = glm::lookAt(eye_, target, glm::dvec3(0, 1, 0));
   camera_.projection =
       glm::perspective(glm::radians(kFieldOfView), static_cast<double>(view.width) / view.height, 0.1, 25.0);
