@@ -32,21 +32,21 @@ struct Binding {
   const char* help;  // a line of the overlay; empty for a second key of the line above
 };
 constexpr std::array kBindings = {
-    Binding{GLFW_KEY_SPACE, Action::Pause, "SPACE       pause, go on"},
-    Binding{GLFW_KEY_PERIOD, Action::StepForward, ".  ,        a frame on, back"},
+    Binding{GLFW_KEY_SPACE, Action::Pause, "SPACE         pause, go on"},
+    Binding{GLFW_KEY_PERIOD, Action::StepForward, "PERIOD COMMA  a frame on, back"},
     Binding{GLFW_KEY_COMMA, Action::StepBack, ""},
-    Binding{GLFW_KEY_RIGHT, Action::NextStage, "RIGHT LEFT  next stage, previous"},
+    Binding{GLFW_KEY_RIGHT, Action::NextStage, "RIGHT LEFT    next stage, previous"},
     Binding{GLFW_KEY_TAB, Action::NextStage, ""},
     Binding{GLFW_KEY_LEFT, Action::PreviousStage, ""},
-    Binding{GLFW_KEY_A, Action::TurnLeft, "A  D        camera left, right"},
+    Binding{GLFW_KEY_A, Action::TurnLeft, "A  D          camera left, right"},
     Binding{GLFW_KEY_D, Action::TurnRight, ""},
-    Binding{GLFW_KEY_W, Action::Nearer, "W  S        nearer, farther"},
+    Binding{GLFW_KEY_W, Action::Nearer, "W  S          nearer, farther"},
     Binding{GLFW_KEY_S, Action::Farther, ""},
-    Binding{GLFW_KEY_R, Action::ResetCamera, "R           camera as it was"},
-    Binding{GLFW_KEY_P, Action::SavePicture, "P           save a picture"},
-    Binding{GLFW_KEY_H, Action::Help, "H  F1       hide this"},
+    Binding{GLFW_KEY_R, Action::ResetCamera, "R             camera as it was"},
+    Binding{GLFW_KEY_P, Action::SavePicture, "P             save a picture"},
+    Binding{GLFW_KEY_H, Action::Help, "H  F1         hide this"},
     Binding{GLFW_KEY_F1, Action::Help, ""},
-    Binding{GLFW_KEY_ESCAPE, Action::Quit, "ESC         quit"}};
+    Binding{GLFW_KEY_ESCAPE, Action::Quit, "ESC           quit"}};
 
 std::string glfwMessage() {
   const char* message = nullptr;
@@ -154,13 +154,21 @@ std::vector<std::string> helpLines(const Playback& playback) {
   return lines;
 }
 
-// Named after its time, which --time takes to draw it again. A full disk does not end the show.
-void savePicture(const Options& options, const std::string& stem, const room::View& view) {
+// Named after its time, which --time takes to draw it again; no picture takes another's place.
+std::filesystem::path freeName(const Options& options, const std::string& stem, double time) {
   const std::string format = options.format == "gif" ? "png" : options.format;
-  const std::filesystem::path file =
-      std::filesystem::path(options.out) / fmt::format("{}-{:.3f}s.{}", stem, view.time, format);
+  const std::string name = fmt::format("{}-{:.3f}s", stem, time);
+  std::filesystem::path file = std::filesystem::path(options.out) / fmt::format("{}.{}", name, format);
+  for (int i = 2; std::filesystem::exists(file); ++i)
+    file.replace_filename(fmt::format("{}-{}.{}", name, i, format));
+  return file;
+}
+
+// A full disk does not end the show.
+void savePicture(const Options& options, const std::string& stem, const room::View& view) {
   try {
     std::filesystem::create_directories(options.out);
+    const std::filesystem::path file = freeName(options, stem, view.time);
     room::writePicture(file, room::readPicture(view.width, view.height));
     fmt::print("saved {}\n", file.string());
     std::fflush(stdout);
@@ -188,7 +196,10 @@ void play(Window& window, const room::DemoEntry& entry, room::Demo& demo, std::s
       const room::View view = playback.view(size.width, size.height);
       demo.frame(view, playback.stage());
       if (playback.takePictureRequest()) savePicture(options, stemOf(entry, demo, playback.stage()), view);
-      if (playback.helps()) overlay.draw(view, helpLines(playback));
+      if (playback.helps()) {
+        glViewport(0, 0, view.width, view.height);  // a stage may end in a part of it
+        overlay.draw(view, helpLines(playback), 0.85);
+      }
       room::checkErrors(fmt::format("{} at {} s", entry.name, view.time));
       window.present();
     }

@@ -23,7 +23,7 @@ void Overlay::addQuad(glm::dvec2 low, glm::dvec2 high, glm::dvec2 uvLow, glm::dv
   corner(0, 1);
 }
 
-void Overlay::draw(const View& view, const std::vector<std::string>& lines) {
+void Overlay::draw(const View& view, const std::vector<std::string>& lines, double darkness) {
   const double unit = view.height / 56.0 / kGlyphHeight;
   const double lineHeight = 9.5 * unit;
   std::size_t widest = 0;
@@ -66,7 +66,7 @@ void Overlay::draw(const View& view, const std::vector<std::string>& lines) {
   glEnableClientState(GL_VERTEX_ARRAY);
   glVertexPointer(2, GL_FLOAT, 0, positions_.data());
   glTexCoordPointer(2, GL_FLOAT, 0, texCoords_.data());
-  setColor(glm::dvec3(0), 0.5);
+  setColor(glm::dvec3(0), darkness);
   glDrawArrays(GL_TRIANGLES, 0, 6);
   useTexture(0, font_);
   modulate();
