@@ -10,8 +10,8 @@
 
 namespace room {
 
-// What passes start from: positions alone, in white, units 0 to units - 1 off and as they were at first, depth
-// tested and written, back faces culled, no blending, lighting or stencil test.
+// What passes start from: positions alone, in white, units 0 to units - 1 off and as they were at first,
+// depth tested and written, back faces culled, no blending, lighting or stencil test.
 void resetPasses(int units);
 // Makes the unit active, with the 2D texture enabled and bound.
 void useTexture(int unit, const Texture& texture);
