@@ -16,8 +16,11 @@
 #include "lighting/lighting.h"
 #include "particles/particles.h"
 #include "postprocessing/postprocessing.h"
+#include "reflect/reflect.h"
 #include "room/context.h"
+#include "skinning/skinning.h"
 #include "tests/process/process.h"
+#include "water/water.h"
 
 namespace {
 
@@ -30,7 +33,10 @@ constexpr int kWidth = 640, kHeight = 480;
 
 const room::DemoEntry kDemos[] = {{"lighting", "", lighting::makeLighting},
                                   {"particles", "", particles::makeParticles},
-                                  {"postprocessing", "", postprocessing::makePostprocessing}};
+                                  {"postprocessing", "", postprocessing::makePostprocessing},
+                                  {"reflect", "", reflect::makeReflect},
+                                  {"skinning", "", skinning::makeSkinning},
+                                  {"water", "", water::makeWater}};
 
 double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
