@@ -208,19 +208,20 @@ void bindDraw(Context& c, std::shared_ptr<FramebufferObject> object) {
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
 }
 
-// FramebufferTexture2DOES, and with samples those of EXT and IMG. Arguments that concern them are valid.
-void attachTexture(Context& c, GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
-                   GLint level, int samples, Multisampling multisampling,
+// FramebufferTexture2DOES, FramebufferTexture3DOES, and with samples those of EXT and IMG. `image`: what the
+// command takes textarget for. Arguments that concern samples are valid.
+void attachTexture(Context& c, GLenum target, GLenum attachment, GLenum textarget, const ImageTarget& image,
+                   GLuint texture, GLint level, GLint slice, int samples, Multisampling multisampling,
                    const char* command = __builtin_FUNCTION()) {
   AttachmentPoint* point = attachmentPoint(c, target, attachment, command);
   if (!point) return;
   AttachmentPoint attached;
   if (texture != 0) {
-    const ImageTarget image = imageTarget(textarget);
     if (image.slot == kSlotCount)
       return c.setError(GL_INVALID_ENUM,
                         wrongEnum("textarget", textarget,
-                                  "Use TEXTURE_2D or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES"),
+                                  "Use TEXTURE_2D or a face such as TEXTURE_CUBE_MAP_POSITIVE_X_OES, for "
+                                  "slices TEXTURE_3D_OES"),
                         command);
     attached.texture = c.group->textures.find(texture);
     if (!attached.texture || attached.texture->slot != image.slot)
@@ -233,7 +234,11 @@ void attachTexture(Context& c, GLenum target, GLenum attachment, GLenum textarge
       return c.setError(GL_INVALID_VALUE,
                         wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"),
                         command);
+    if (slice < 0 || slice >= std::max(c.device.caps().maxVolumeSize, 1))
+      return c.setError(GL_INVALID_VALUE,
+                        wrongNumber("zoffset", slice, "Give a slice that a texture can have"), command);
     attached.face = image.face;
+    attached.slice = slice;
     attached.level = level;
     attached.textureSamples = samples;
     attached.textureMultisampling = multisampling;
@@ -256,7 +261,7 @@ void attachTextureWithSamples(Context& c, GLenum target, GLenum attachment, GLen
     return c.setError(GL_INVALID_VALUE,
                       wrongNumber("samples", samples, "Give a count from 0 to the value of MAX_SAMPLES_EXT"),
                       command);
-  attachTexture(c, target, attachment, textarget, texture, level, count,
+  attachTexture(c, target, attachment, textarget, imageTarget(textarget), texture, level, 0, count,
                 count > 0 ? multisampling : Multisampling::None, command);
 }
 
@@ -375,7 +380,8 @@ GL_API void GL_APIENTRY glFramebufferTexture2DOES(GLenum target, GLenum attachme
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  attachTexture(*c, target, attachment, textarget, texture, level, 0, Multisampling::None);
+  attachTexture(*c, target, attachment, textarget, imageTarget(textarget), texture, level, 0, 0,
+                Multisampling::None);
 }
 
 // OES_texture_3D.
@@ -384,28 +390,8 @@ GL_API void GL_APIENTRY glFramebufferTexture3DOES(GLenum target, GLenum attachme
   Context* c = current();
   if (!c) return;
   ShareLock lock(*c->group);
-  AttachmentPoint* point = attachmentPoint(*c, target, attachment);
-  if (!point) return;
-  AttachmentPoint attached;
-  if (texture != 0) {
-    if (textarget != GL_TEXTURE_3D_OES)
-      return c->setError(GL_INVALID_ENUM, wrongEnum("textarget", textarget, "Use TEXTURE_3D_OES"));
-    attached.texture = c->group->textures.find(texture);
-    if (!attached.texture || attached.texture->slot != kSlot3D)
-      return c->setError(
-          GL_INVALID_OPERATION,
-          wrongNumber("texture", texture, "Give a texture that has been bound to TEXTURE_3D_OES"));
-    if (level < 0 || level >= attached.texture->levels())
-      return c->setError(GL_INVALID_VALUE,
-                         wrongNumber("level", level, "Give a level from 0 to log2 of the largest size"));
-    if (zoffset < 0 || zoffset >= c->device.caps().maxVolumeSize)
-      return c->setError(GL_INVALID_VALUE,
-                         wrongNumber("zoffset", zoffset, "Give a slice that a texture can have"));
-    attached.level = level;
-    attached.slice = zoffset;
-  }
-  *point = std::move(attached);
-  attachmentsChanged(*c);
+  const ImageTarget volume{textarget == GL_TEXTURE_3D_OES ? kSlot3D : kSlotCount};
+  attachTexture(*c, target, attachment, textarget, volume, texture, level, zoffset, 0, Multisampling::None);
 }
 
 GL_API void GL_APIENTRY glFramebufferTexture2DMultisampleEXT(GLenum target, GLenum attachment,
