@@ -182,9 +182,7 @@ void readPrimary(const FragmentKey& key, Shader& shader) {
   if (key.twoSided)
     shader.declareLine("layout(location = {}) {}in vec4 backColor;", kBackColorLocation, flat);
   const std::string_view value = key.twoSided ? "gl_FrontFacing ? frontColor : backColor" : "frontColor";
-  bool primary = false;
-  for (const FragmentUnit& unit : key.units)
-    forEachArgument(unit, [&](Argument a) { primary |= a.source == Source::Primary; });
+  const bool primary = reads(key.units, Source::Primary);
   if (primary) shader.line("vec4 primary = {};", value);
   shader.line("vec4 color = {};", primary ? "primary" : value);
 }
