@@ -119,7 +119,7 @@ size_t argumentCount(GLenum function) {
   return three ? 3 : 2;
 }
 
-// ATIX_texture_env_route, as gen/ati.h has it: what the units before `reader` left, for each unit's texture.
+// ATIX_texture_env_route, as gen/ati.h has it: the units whose texture an earlier unit's result stands for.
 struct Routes {
   std::array<bool, gen::kMaxTextureUnits> rgb{}, alpha{};
 };
