@@ -117,6 +117,10 @@ class Request {
     // "When EGL_CONFIG_ID is specified, all other attributes are ignored."
     const EGLint id = get(EGL_CONFIG_ID);
     if (id != EGL_DONT_CARE) return config.id == id;
+    // "...ignored unless windows are asked for."
+    const EGLint type = get(EGL_NATIVE_VISUAL_TYPE);
+    const bool windows = (get(EGL_SURFACE_TYPE) & EGL_WINDOW_BIT) != 0;
+    if (windows && type != EGL_DONT_CARE && type != config.visual.type) return false;
     for (size_t i = 0; i < kCriteria.size(); ++i) {
       if (values_[i] != EGL_DONT_CARE && !matches(config, kCriteria[i], values_[i])) return false;
     }
@@ -149,7 +153,7 @@ class Request {
       case Match::Mask:
         return (value & wanted) == wanted;
       case Match::Special:
-        return true;  // ignored where there are no native visuals and no transparency
+        return true;  // seen to elsewhere, or ignored where nothing is transparent
     }
     return false;
   }
@@ -175,7 +179,7 @@ std::vector<const Config*> chooseConfigs(const std::vector<Config>& configs, con
   for (const Config& config : configs) {
     if (request.matches(config)) chosen.push_back(&config);
   }
-  // Rules 1, 2, 9 and 10 tell none of our configs apart; 5 follows from 6.
+  // Rules 1, 2, 9 and 10 (first visuals have the lower ids) tell none of our configs apart; 5 follows from 6.
   const auto rank = [&](const Config* config) {
     return std::tuple(-requestedColorBits(request, *config), config->get(EGL_BUFFER_SIZE), config->samples,
                       config->depthBits, config->stencilBits, config->id);

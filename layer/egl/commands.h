@@ -73,6 +73,8 @@
   X(eglQueryDevicesEXT)                    \
   X(eglQueryDisplayAttribEXT)              \
   X(eglSignalSyncKHR)                      \
+  X(eglSwapBuffersWithDamageEXT)           \
+  X(eglSwapBuffersWithDamageKHR)           \
   X(eglWaitSyncKHR)
 // clang-format on
 

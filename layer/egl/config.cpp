@@ -42,7 +42,7 @@ bool chooseDepthStencil(const render::Caps& caps, Config& config) {
 }
 
 EGLint surfaceTypes(const Config& config) {
-  return EGL_PBUFFER_BIT | EGL_SWAP_BEHAVIOR_PRESERVED_BIT |
+  return EGL_PBUFFER_BIT | (config.window ? EGL_WINDOW_BIT : 0) | EGL_SWAP_BEHAVIOR_PRESERVED_BIT |
          (config.samples != 0 ? EGL_MULTISAMPLE_RESOLVE_BOX_BIT : 0);
 }
 
@@ -115,10 +115,10 @@ bool Config::query(EGLint attribute, EGLint& value) const {
       value = EGL_FALSE;
       return true;
     case EGL_NATIVE_VISUAL_ID:
-      value = 0;
+      value = visual.id;
       return true;
     case EGL_NATIVE_VISUAL_TYPE:
-      value = EGL_NONE;
+      value = visual.type;
       return true;
     case EGL_RENDERABLE_TYPE:
       value = EGL_OPENGL_ES_BIT;
@@ -154,16 +154,44 @@ EGLint Config::get(EGLint attribute) const {
   return value;
 }
 
-std::vector<Config> makeConfigs(const render::Caps& caps) {
+namespace {
+
+// The color buffers of a device, with the visuals that their windows can have.
+struct ColorBuffer {
+  Format format;
+  bool window = false;
+  Visual visual;
+};
+
+std::vector<ColorBuffer> colorBuffers(const render::Caps& caps, const WindowSystem* system) {
+  std::vector<ColorBuffer> buffers, more;
+  for (Format format : {Format::RGBA8, Format::RGB8, Format::RGB565, Format::RGBA5551, Format::RGBA4444}) {
+    if (!isRenderable(caps, format)) continue;
+    std::vector<Visual> visuals;
+    if (system != nullptr && render::info(format).red == 8)
+      visuals = system->visuals(render::info(format).alpha != 0);
+    if (visuals.empty()) buffers.push_back({format, false, {}});
+    for (const Visual& visual : visuals)
+      (&visual == &visuals[0] ? buffers : more).push_back({format, true, visual});
+  }
+  // Second visuals come last, so that the first are chosen where nothing else decides.
+  buffers.insert(buffers.end(), more.begin(), more.end());
+  return buffers;
+}
+
+}  // namespace
+
+std::vector<Config> makeConfigs(const render::Caps& caps, const WindowSystem* system) {
   std::vector<Config> configs;
-  for (Format color : {Format::RGBA8, Format::RGB8, Format::RGB565, Format::RGBA5551, Format::RGBA4444}) {
-    if (!isRenderable(caps, color)) continue;
+  for (const ColorBuffer& buffer : colorBuffers(caps, system)) {
     for (EGLint samples : {0, 4}) {
       if (samples > caps.maxSamples) continue;
       for (EGLint depthBits : {0, 16, 24}) {
         for (EGLint stencilBits : {0, 8}) {
           Config config;
-          config.color = color;
+          config.color = buffer.format;
+          config.window = buffer.window;
+          config.visual = buffer.visual;
           config.depthBits = depthBits;
           config.stencilBits = stencilBits;
           config.samples = samples;
@@ -177,6 +205,11 @@ std::vector<Config> makeConfigs(const render::Caps& caps) {
     }
   }
   return configs;
+}
+
+bool areCompatible(const Config& one, const Config& other) {
+  return one.color == other.color && one.depthBits == other.depthBits &&
+         one.stencilBits == other.stencilBits && one.samples == other.samples;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "layer/egl/window_system.h"
 #include "layer/render/renderer.h"
 
 namespace anteroom::egl {
@@ -20,6 +21,8 @@ struct Config {
   EGLint stencilBits = 0;
   EGLint samples = 0;                  // 0: not multisampled
   EGLint maxWidth = 0, maxHeight = 0;  // of a pbuffer
+  bool window = false;
+  Visual visual;  // of windows
 
   EGLConfig handle() const { return reinterpret_cast<EGLConfig>(static_cast<intptr_t>(id)); }
   // Tables 3.1 and 3.4. False: no such attribute.
@@ -28,8 +31,11 @@ struct Config {
   EGLint get(EGLint attribute) const;
 };
 
-// All that a device can have without loss, numbered.
-std::vector<Config> makeConfigs(const render::Caps& caps);
+// All that a device can have without loss, numbered. `system` null: without windows.
+std::vector<Config> makeConfigs(const render::Caps& caps, const WindowSystem* system);
+
+// Section 2.2: whether a context of one can draw to a surface of the other.
+bool areCompatible(const Config& one, const Config& other);
 
 // Section 3.4.1: those that match, sorted. Throws EGL_BAD_ATTRIBUTE.
 std::vector<const Config*> chooseConfigs(const std::vector<Config>& configs, const EGLint* attributes);

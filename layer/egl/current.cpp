@@ -40,10 +40,8 @@ void requireFree(const Object& object) {
   require(object == nullptr || object->thread == nullptr || object->thread == &thread, EGL_BAD_ACCESS);
 }
 
-// Section 2.2: no two configs have buffers of the same depths, so that to be compatible is to have the same
-// one.
 bool isCompatible(const Context& context, const Surface& surface) {
-  return !context.config || context.config->id == surface.config.id;
+  return !context.config || areCompatible(*context.config, surface.config);
 }
 
 Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EGLContext context) {
@@ -89,6 +87,19 @@ Thread& thisThread() {
 void useSurfaces(const Binding& binding) {
   const auto framebufferOf = [](const auto& surface) { return surface ? &surface->framebuffer() : nullptr; };
   gl::setDefaultFramebuffer(*binding.context->gl, framebufferOf(binding.draw), framebufferOf(binding.read));
+  const bool expired = binding.draw != nullptr && (binding.draw->isExpired() || binding.read->isExpired());
+  if (expired) gl::expireDefaultFramebuffer(*binding.context->gl, renewSurfaces, &binding);
+}
+
+void renewSurfaces(const Binding& binding) {
+  bool changed = false;
+  for (const auto& surface : {binding.draw, binding.read}) {
+    if (!surface->isExpired()) continue;
+    const auto former = surface->framebuffer().readable().image;
+    if (!surface->renew()) log("out of memory for the images of a window");
+    changed |= surface->framebuffer().readable().image != former;
+  }
+  if (changed) useSurfaces(binding);
 }
 
 }  // namespace anteroom::egl
@@ -166,8 +177,12 @@ EGLBoolean EGLAPIENTRY eglWaitGL() {
 }
 
 EGLBoolean EGLAPIENTRY eglWaitNative(EGLint engine) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
-    require(engine == EGL_CORE_NATIVE_ENGINE || currentContext() == nullptr, EGL_BAD_PARAMETER);
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock& lock) {
+    const Context* context = currentContext();
+    require(engine == EGL_CORE_NATIVE_ENGINE || context == nullptr, EGL_BAD_PARAMETER);
+    const auto system = context == nullptr ? nullptr : context->display.windowSystem();
+    lock.unlock();
+    if (system != nullptr) system->wait();
     return EGL_TRUE;
   });
 }

@@ -32,6 +32,8 @@ Thread& thisThread();
 
 // Tells GL of the binding's framebuffers.
 void useSurfaces(const Binding& binding);
+// Readies those that have expired.
+void renewSurfaces(const Binding& binding);
 
 // Null: none.
 inline const Binding* currentBinding() {

@@ -22,16 +22,28 @@ EGLDeviceEXT deviceHandle() {
   return &theDevice;
 }
 
-EGLDisplay findOrCreate(EGLenum platform, void* native) {
+EGLDisplay findOrCreate(const Platform& platform) {
   for (const auto& display : displays()) {
-    if (display->is(platform, native)) return display->handle();
+    if (display->platform() == platform) return display->handle();
   }
-  displays().push_back(std::make_unique<Display>(platform, native));
+  displays().push_back(std::make_unique<Display>(platform));
   return displays().back()->handle();
+}
+
+// EGL_EXT_platform_x11, EGL_EXT_platform_xcb: the one attribute there is.
+template <typename Integer>
+EGLint screenOf(const Integer* attributes, EGLint name) {
+  EGLint screen = -1;
+  forEachAttribute(attributes, [&](EGLint attribute, EGLAttrib value) {
+    require(attribute == name && value >= 0 && value <= 0xff, EGL_BAD_ATTRIBUTE);
+    screen = static_cast<EGLint>(value);
+  });
+  return screen;
 }
 
 template <typename Integer>
 EGLDisplay platformDisplay(EGLenum platform, void* native, const Integer* attributes) {
+  Platform wanted{platform, native, -1};
   switch (platform) {
     case EGL_PLATFORM_SURFACELESS_MESA:
       require(native == EGL_DEFAULT_DISPLAY, EGL_BAD_PARAMETER);
@@ -39,11 +51,19 @@ EGLDisplay platformDisplay(EGLenum platform, void* native, const Integer* attrib
     case EGL_PLATFORM_DEVICE_EXT:
       require(native == deviceHandle(), EGL_BAD_PARAMETER);
       break;
+    case EGL_PLATFORM_X11_KHR:
+    case EGL_PLATFORM_XCB_EXT:
+      wanted.screen = screenOf(attributes, platform == EGL_PLATFORM_X11_KHR ? EGL_PLATFORM_X11_SCREEN_KHR
+                                                                            : EGL_PLATFORM_XCB_SCREEN_EXT);
+      if (wanted.screen >= 0) openX11(wanted);  // throws where there is no such screen
+      return findOrCreate(wanted);
+    case EGL_PLATFORM_WAYLAND_KHR:
+      break;
     default:
       throw Error{EGL_BAD_PARAMETER};
   }
   require(isEmpty(attributes), EGL_BAD_ATTRIBUTE);
-  return findOrCreate(platform, native);
+  return findOrCreate(wanted);
 }
 
 }  // namespace
@@ -53,15 +73,42 @@ void* newHandle() {
   return reinterpret_cast<void*>(++last);
 }
 
+// Null: the platform has no windows. Throws EGL_NOT_INITIALIZED.
+static std::shared_ptr<WindowSystem> openWindowSystem(const Platform& platform) {
+  std::shared_ptr<WindowSystem> system;
+  switch (platform.name) {
+    case EGL_PLATFORM_X11_KHR:
+    case EGL_PLATFORM_XCB_EXT:
+      system = openX11(platform);
+      break;
+    case EGL_PLATFORM_WAYLAND_KHR:
+      system = openWayland(platform);
+      break;
+    default:
+      return nullptr;
+  }
+  if (system != nullptr) return system;
+  const char* const server = platform.name == EGL_PLATFORM_WAYLAND_KHR ? "Wayland" : "X";
+  const char* const where = platform.name == EGL_PLATFORM_WAYLAND_KHR ? "WAYLAND_DISPLAY" : "DISPLAY";
+  log((std::string("no ") + server + " server answers: check " + where +
+       ", or set EGL_PLATFORM=surfaceless to draw without windows")
+          .c_str());
+  throw Error{EGL_NOT_INITIALIZED};
+}
+
 void Display::initialize() {
   if (initialized()) return;
+  auto system = openWindowSystem(platform_);
   std::string error;
   std::shared_ptr<render::Device> device = createDevice(error);
   if (device == nullptr) {
     log(error.c_str());
     throw Error{EGL_NOT_INITIALIZED};
   }
-  configs_ = makeConfigs(device->caps());
+  const render::Caps& caps = device->caps();
+  const bool windows = platform_.name == EGL_PLATFORM_WAYLAND_KHR ? caps.waylandWindows : caps.xcbWindows;
+  configs_ = makeConfigs(caps, windows ? system.get() : nullptr);
+  windowSystem_ = std::move(system);
   device_ = std::move(device);
 }
 
@@ -73,6 +120,7 @@ void Display::terminate() {
   contexts.clear();
   configs_.clear();
   device_.reset();
+  windowSystem_.reset();
 }
 
 const Config& Display::config(EGLConfig handle) const {
@@ -127,9 +175,15 @@ using namespace anteroom::egl;
 
 EGLDisplay EGLAPIENTRY eglGetDisplay(EGLNativeDisplayType display_id) {
   return command<EGLDisplay>(EGL_NO_DISPLAY, [&](Lock&) -> EGLDisplay {
-    // Displays of window systems are unknown, which is no error.
-    if (display_id != EGL_DEFAULT_DISPLAY) return EGL_NO_DISPLAY;
-    return findOrCreate(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
+    Platform platform = guessPlatform(display_id);
+    if (platform.name == EGL_NONE) return EGL_NO_DISPLAY;  // which is no error
+    const bool windows =
+        platform.name != EGL_PLATFORM_SURFACELESS_MESA && platform.name != EGL_PLATFORM_DEVICE_EXT;
+    if (!windows) {
+      if (display_id != EGL_DEFAULT_DISPLAY && display_id != deviceHandle()) return EGL_NO_DISPLAY;
+      platform.native = platform.name == EGL_PLATFORM_DEVICE_EXT ? deviceHandle() : nullptr;
+    }
+    return findOrCreate(platform);
   });
 }
 

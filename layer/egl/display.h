@@ -13,23 +13,26 @@
 #include "layer/egl/image.h"
 #include "layer/egl/surface.h"
 #include "layer/egl/sync.h"
+#include "layer/egl/window_system.h"
 
 namespace anteroom::egl {
 
 class Display {
  public:
-  Display(EGLenum platform, void* native) : platform_(platform), native_(native) {}
+  explicit Display(const Platform& platform) : platform_(platform) {}
 
   EGLDisplay handle() { return this; }
-  bool is(EGLenum platform, const void* native) const { return platform == platform_ && native == native_; }
+  const Platform& platform() const { return platform_; }
 
   bool initialized() const { return device_ != nullptr; }
-  // Throws EGL_NOT_INITIALIZED when there is no device.
+  // Throws EGL_NOT_INITIALIZED when there is no device, or no server of its window system.
   void initialize();
   // What is current somewhere lives on until it no longer is; its handles are invalid at once.
   void terminate();
 
   const std::shared_ptr<render::Device>& device() const { return device_; }
+  // Null: the platform has no windows.
+  const std::shared_ptr<WindowSystem>& windowSystem() const { return windowSystem_; }
   const std::vector<Config>& configs() const { return configs_; }
   // These throw EGL_BAD_CONFIG, EGL_BAD_CONTEXT, EGL_BAD_SURFACE and EGL_BAD_PARAMETER.
   const Config& config(EGLConfig handle) const;
@@ -43,9 +46,9 @@ class Display {
   Handles<Sync> syncs;
 
  private:
-  EGLenum platform_;
-  void* native_;
+  const Platform platform_;
   std::shared_ptr<render::Device> device_;
+  std::shared_ptr<WindowSystem> windowSystem_;
   std::vector<Config> configs_;
 };
 

@@ -11,9 +11,10 @@
 #include "layer/egl/display.h"
 
 namespace anteroom::egl {
-namespace {
 
 using render::Format;
+
+namespace {
 
 EGLint oneOf(EGLAttrib value, std::initializer_list<EGLint> values) {
   const auto found = std::find(values.begin(), values.end(), value);
@@ -46,17 +47,8 @@ void setAttribute(SurfaceAttributes& attributes, EGLint name, EGLAttrib value) {
     case EGL_TEXTURE_TARGET:
       attributes.textureTarget = oneOf(value, {EGL_NO_TEXTURE, EGL_TEXTURE_2D});
       break;
-    case EGL_GL_COLORSPACE:
-      attributes.glColorspace = oneOf(value, {EGL_GL_COLORSPACE_LINEAR, EGL_GL_COLORSPACE_SRGB});
-      break;
-    case EGL_VG_COLORSPACE:
-      attributes.vgColorspace = oneOf(value, {EGL_VG_COLORSPACE_sRGB, EGL_VG_COLORSPACE_LINEAR});
-      break;
-    case EGL_VG_ALPHA_FORMAT:
-      attributes.vgAlphaFormat = oneOf(value, {EGL_VG_ALPHA_FORMAT_NONPRE, EGL_VG_ALPHA_FORMAT_PRE});
-      break;
     default:
-      throw Error{EGL_BAD_ATTRIBUTE};
+      setSurfaceAttribute(attributes, name, value);
   }
 }
 
@@ -82,12 +74,7 @@ void shrinkToFit(SurfaceAttributes& attributes, const Config& config) {
 SurfaceAttributes parsePbuffer(const EGLint* list, const Config& config) {
   SurfaceAttributes attributes;
   forEachAttribute(list, [&](EGLint name, EGLAttrib value) { setAttribute(attributes, name, value); });
-  const EGLint types = config.get(EGL_SURFACE_TYPE);
-  require(attributes.vgColorspace == EGL_VG_COLORSPACE_sRGB || (types & EGL_VG_COLORSPACE_LINEAR_BIT) != 0,
-          EGL_BAD_MATCH);
-  require(
-      attributes.vgAlphaFormat == EGL_VG_ALPHA_FORMAT_NONPRE || (types & EGL_VG_ALPHA_FORMAT_PRE_BIT) != 0,
-      EGL_BAD_MATCH);
+  requireMatch(attributes, config);
   const bool texture = attributes.textureFormat != EGL_NO_TEXTURE;
   require(texture == (attributes.textureTarget != EGL_NO_TEXTURE), EGL_BAD_MATCH);
   // ES 1.1 has only textures of powers of two (section 3.7.1 of its specification).
@@ -97,34 +84,32 @@ SurfaceAttributes parsePbuffer(const EGLint* list, const Config& config) {
   return attributes;
 }
 
-// KHR_gl_colorspace: only colors of 8 bits have an sRGB format.
-Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
-  if (attributes.glColorspace != EGL_GL_COLORSPACE_SRGB) return config.color;
-  if (config.color == Format::RGBA8) return Format::SRGB8Alpha8;
-  return config.color == Format::RGB8 ? Format::SRGB8 : config.color;
-}
-
-// Windows and pixmaps: whatever else is wrong, the handle is no native one (EGL_MESA_platform_surfaceless,
-// EGL_EXT_platform_device).
-EGLSurface refuseNative(EGLDisplay dpy, EGLint error, const char* name = __builtin_FUNCTION()) {
+// No platform has pixmaps: whatever else is wrong, the handle is no native one.
+EGLSurface refusePixmap(EGLDisplay dpy, const char* name = __builtin_FUNCTION()) {
   return command<EGLSurface>(
       EGL_NO_SURFACE,
       [&](Lock&) -> EGLSurface {
         initializedDisplay(dpy);
-        throw Error{error};
+        throw Error{EGL_BAD_NATIVE_PIXMAP};
       },
       name);
 }
 
-EGLint query(const Surface& surface, EGLint attribute) {
+EGLint ageOf(Surface& surface) {
+  const Binding* binding = currentBinding();
+  require(binding != nullptr && binding->draw.get() == &surface, EGL_BAD_SURFACE);
+  return surface.age(*binding);
+}
+
+EGLint query(Surface& surface, EGLint attribute) {
   const SurfaceAttributes& is = surface.attributes;
   switch (attribute) {
     case EGL_CONFIG_ID:
       return surface.config.id;
     case EGL_WIDTH:
-      return is.width;
+      return surface.width();
     case EGL_HEIGHT:
-      return is.height;
+      return surface.height();
     case EGL_LARGEST_PBUFFER:
       return is.largest;
     case EGL_TEXTURE_FORMAT:
@@ -146,7 +131,9 @@ EGLint query(const Surface& surface, EGLint attribute) {
     case EGL_SWAP_BEHAVIOR:
       return is.swapBehavior;
     case EGL_RENDER_BUFFER:
-      return EGL_BACK_BUFFER;
+      return is.renderBuffer;
+    case EGL_BUFFER_AGE_EXT:
+      return ageOf(surface);
     case EGL_HORIZONTAL_RESOLUTION:
     case EGL_VERTICAL_RESOLUTION:
     case EGL_PIXEL_ASPECT_RATIO:
@@ -156,15 +143,52 @@ EGLint query(const Surface& surface, EGLint attribute) {
   }
 }
 
-// The draw surface of the calling thread, which posting wants. Throws EGL_BAD_SURFACE.
-const Binding& postedBinding(EGLDisplay dpy, EGLSurface handle) {
-  const auto surface = initializedDisplay(dpy).surface(handle);
-  const Binding* binding = currentBinding();
-  require(binding != nullptr && binding->draw == surface, EGL_BAD_SURFACE);
-  return *binding;
+// Attributes that are asked of windows in vain.
+bool isOfPbuffers(EGLint attribute) {
+  switch (attribute) {
+    case EGL_LARGEST_PBUFFER:
+    case EGL_TEXTURE_FORMAT:
+    case EGL_TEXTURE_TARGET:
+    case EGL_MIPMAP_TEXTURE:
+    case EGL_MIPMAP_LEVEL:
+      return true;
+    default:
+      return false;
+  }
 }
 
 }  // namespace
+
+void setSurfaceAttribute(SurfaceAttributes& attributes, EGLint name, EGLAttrib value) {
+  switch (name) {
+    case EGL_GL_COLORSPACE:
+      attributes.glColorspace = oneOf(value, {EGL_GL_COLORSPACE_LINEAR, EGL_GL_COLORSPACE_SRGB});
+      break;
+    case EGL_VG_COLORSPACE:
+      attributes.vgColorspace = oneOf(value, {EGL_VG_COLORSPACE_sRGB, EGL_VG_COLORSPACE_LINEAR});
+      break;
+    case EGL_VG_ALPHA_FORMAT:
+      attributes.vgAlphaFormat = oneOf(value, {EGL_VG_ALPHA_FORMAT_NONPRE, EGL_VG_ALPHA_FORMAT_PRE});
+      break;
+    default:
+      throw Error{EGL_BAD_ATTRIBUTE};
+  }
+}
+
+void requireMatch(const SurfaceAttributes& attributes, const Config& config) {
+  const EGLint types = config.get(EGL_SURFACE_TYPE);
+  require(attributes.vgColorspace == EGL_VG_COLORSPACE_sRGB || (types & EGL_VG_COLORSPACE_LINEAR_BIT) != 0,
+          EGL_BAD_MATCH);
+  require(
+      attributes.vgAlphaFormat == EGL_VG_ALPHA_FORMAT_NONPRE || (types & EGL_VG_ALPHA_FORMAT_PRE_BIT) != 0,
+      EGL_BAD_MATCH);
+}
+
+Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
+  if (attributes.glColorspace != EGL_GL_COLORSPACE_SRGB) return config.color;
+  if (config.color == Format::RGBA8) return Format::SRGB8Alpha8;
+  return config.color == Format::RGB8 ? Format::SRGB8 : config.color;
+}
 
 Surface::Surface(const Display& owner, std::shared_ptr<render::Device> device, const Config& withConfig,
                  const SurfaceAttributes& withAttributes)
@@ -200,9 +224,17 @@ bool Surface::createImages() {
     next.color.image = device_->createImage(desc);
     if (next.color.image == nullptr) return false;
   }
+  if (!createDepthStencil(next)) return false;
+  framebuffer_ = next;
+  return true;
+}
+
+bool Surface::createDepthStencil(render::Framebuffer& next) const {
+  render::ImageDesc desc;
+  desc.renderable = true;
+  desc.samples = next.samples;
   desc.width = next.width;
   desc.height = next.height;
-  desc.levels = 1;
   if (config.depth != Format::None) {
     desc.format = config.depth;
     next.depth.image = device_->createImage(desc);
@@ -213,8 +245,11 @@ bool Surface::createImages() {
     next.stencil.image = config.stencil == config.depth ? next.depth.image : device_->createImage(desc);
     if (next.stencil.image == nullptr) return false;
   }
-  framebuffer_ = next;
   return true;
+}
+
+void Surface::post(const Binding& binding, std::span<const render::Rect>) {
+  gl::flush(*binding.context->gl);
 }
 
 bool Surface::setMipmapLevel(EGLint level) {
@@ -248,28 +283,16 @@ EGLSurface EGLAPIENTRY eglCreatePbufferFromClientBuffer(EGLDisplay dpy, EGLenum,
   });
 }
 
-EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig, EGLNativeWindowType, const EGLint*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
-}
-
-EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig, void*, const EGLAttrib*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
-}
-
-EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurfaceEXT(EGLDisplay dpy, EGLConfig, void*, const EGLint*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_WINDOW);
-}
-
 EGLSurface EGLAPIENTRY eglCreatePixmapSurface(EGLDisplay dpy, EGLConfig, EGLNativePixmapType, const EGLint*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
+  return refusePixmap(dpy);
 }
 
 EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurface(EGLDisplay dpy, EGLConfig, void*, const EGLAttrib*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
+  return refusePixmap(dpy);
 }
 
 EGLSurface EGLAPIENTRY eglCreatePlatformPixmapSurfaceEXT(EGLDisplay dpy, EGLConfig, void*, const EGLint*) {
-  return refuseNative(dpy, EGL_BAD_NATIVE_PIXMAP);
+  return refusePixmap(dpy);
 }
 
 EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface) {
@@ -280,10 +303,12 @@ EGLBoolean EGLAPIENTRY eglDestroySurface(EGLDisplay dpy, EGLSurface surface) {
 }
 
 EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLint attribute, EGLint* value) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
+  return command<EGLBoolean>(EGL_FALSE, [&](Lock& lock) {
     const auto found = initializedDisplay(dpy).surface(surface);
     require(value != nullptr, EGL_BAD_PARAMETER);
-    *value = query(*found, attribute);
+    if (attribute == EGL_BUFFER_AGE_EXT) lock.unlock();  // it may wait for the window system
+    const EGLint answer = query(*found, attribute);
+    if (!found->isWindow() || !isOfPbuffers(attribute)) *value = answer;
     return EGL_TRUE;
   });
 }
@@ -309,37 +334,11 @@ EGLBoolean EGLAPIENTRY eglSurfaceAttrib(EGLDisplay dpy, EGLSurface surface, EGLi
         oneOf(value, {EGL_BUFFER_DESTROYED, EGL_BUFFER_PRESERVED});
         require(value == EGL_BUFFER_DESTROYED || (types & EGL_SWAP_BEHAVIOR_PRESERVED_BIT) != 0,
                 EGL_BAD_MATCH);
-        found->attributes.swapBehavior = value;
+        found->setSwapBehavior(value);
         break;
       default:
         throw Error{EGL_BAD_ATTRIBUTE};
     }
     return EGL_TRUE;
-  });
-}
-
-EGLBoolean EGLAPIENTRY eglSwapBuffers(EGLDisplay dpy, EGLSurface surface) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock& lock) {
-    const Binding& binding = postedBinding(dpy, surface);
-    lock.unlock();
-    gl::flush(*binding.context->gl);
-    return EGL_TRUE;
-  });
-}
-
-EGLBoolean EGLAPIENTRY eglCopyBuffers(EGLDisplay dpy, EGLSurface surface, EGLNativePixmapType) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) -> EGLBoolean {
-    postedBinding(dpy, surface);
-    throw Error{EGL_BAD_NATIVE_PIXMAP};
-  });
-}
-
-EGLBoolean EGLAPIENTRY eglSwapInterval(EGLDisplay dpy, EGLint) {
-  return command<EGLBoolean>(EGL_FALSE, [&](Lock&) {
-    initializedDisplay(dpy);
-    const Binding* binding = currentBinding();
-    require(binding != nullptr, EGL_BAD_CONTEXT);
-    require(binding->draw != nullptr, EGL_BAD_SURFACE);
-    return EGL_TRUE;  // pbuffers are not posted
   });
 }

@@ -1,14 +1,17 @@
-// Section 3.5: pbuffers. No platform has windows or pixmaps.
+// Section 3.5: surfaces. Those of pbuffers are here, windows' in window_surface.h; no platform has pixmaps.
 #pragma once
 
 #include <EGL/egl.h>
 
 #include <memory>
+#include <span>
 
 #include "layer/egl/config.h"
 #include "layer/egl/context.h"
 
 namespace anteroom::egl {
+
+struct Binding;
 
 struct SurfaceAttributes {
   EGLint width = 0, height = 0;
@@ -22,17 +25,42 @@ struct SurfaceAttributes {
   EGLint mipmapLevel = 0;
   EGLint multisampleResolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
   EGLint swapBehavior = EGL_BUFFER_DESTROYED;
+  EGLint renderBuffer = EGL_BACK_BUFFER;  // of windows: what was asked for
 };
+
+// Attributes that all kinds of surfaces have. Throws EGL_BAD_ATTRIBUTE for others.
+void setSurfaceAttribute(SurfaceAttributes& attributes, EGLint name, EGLAttrib value);
+// Those that `config` must be able to. Throws EGL_BAD_MATCH.
+void requireMatch(const SurfaceAttributes& attributes, const Config& config);
+// KHR_gl_colorspace: only colors of 8 bits have an sRGB format.
+render::Format colorFormat(const Config& config, const SurfaceAttributes& attributes);
 
 class Surface {
  public:
   Surface(const Display& owner, std::shared_ptr<render::Device> device, const Config& config,
           const SurfaceAttributes& attributes);
+  virtual ~Surface() = default;
 
   // Creates the images when they are first needed. False: out of memory.
-  bool allocate();
+  virtual bool allocate();
+  // A window's images are others after each picture: renew() waits for those of the next one. False: out of
+  // memory.
+  virtual bool isExpired() const { return false; }
+  virtual bool renew() { return true; }
   // After allocate().
   const render::Framebuffer& framebuffer() const { return framebuffer_; }
+  virtual EGLint width() const { return attributes.width; }
+  virtual EGLint height() const { return attributes.height; }
+  virtual bool isWindow() const { return false; }
+
+  // eglSwapBuffers, not under the lock. `binding` is the calling thread's. Throws EGL_BAD_NATIVE_WINDOW,
+  // EGL_BAD_ALLOC. `damage`: in GL's coordinates; empty: all of it.
+  virtual void post(const Binding& binding, std::span<const render::Rect> damage);
+  virtual void setSwapBehavior(EGLint behavior) { attributes.swapBehavior = behavior; }
+  virtual void setSwapInterval(EGLint) {}
+  // EGL_BUFFER_AGE_EXT of a surface that is current in the calling thread.
+  virtual EGLint age(const Binding&) { return 0; }
+
   // EGL_MIPMAP_LEVEL; takes effect at once where the surface is current, like allocate().
   bool setMipmapLevel(EGLint level);
 
@@ -49,12 +77,17 @@ class Surface {
   Thread* thread = nullptr;        // where it is current
   std::weak_ptr<Context> drawnBy;  // the last context that had it as its draw surface
 
+ protected:
+  // Depth and stencil of `next`, as large as it is. False: out of memory.
+  bool createDepthStencil(render::Framebuffer& next) const;
+
+  const std::shared_ptr<render::Device> device_;
+  render::Framebuffer framebuffer_;
+
  private:
   EGLint levels() const;
   bool createImages();
 
-  std::shared_ptr<render::Device> device_;
-  render::Framebuffer framebuffer_;
   // The color image as a texture has it: alive as long as any texture holds it.
   std::weak_ptr<render::Image> loan_;
   std::weak_ptr<Context> boundIn_;

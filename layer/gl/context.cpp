@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "layer/gl/debug_output.h"
 #include "layer/gl/framebuffer_object.h"
@@ -95,12 +96,20 @@ VertexArrays initialVertexArrays() {
   return initial;
 }
 
+void Context::renewDefaultFramebuffer() {
+  const Expired how = std::exchange(expired, {});
+  how.renew(*how.surfaces);
+}
+
 bool Context::framebufferComplete() {
-  return boundFramebuffer ? resolveFramebuffer(*this) : hasFramebuffer;
+  if (boundFramebuffer) return resolveFramebuffer(*this);
+  if (expired.renew) renewDefaultFramebuffer();
+  return hasFramebuffer;
 }
 
 bool Context::readFramebufferComplete() {
   if (boundReadFramebuffer) return resolveReadFramebuffer(*this);
+  if (expired.renew) renewDefaultFramebuffer();
   readFramebuffer = defaultReadFramebuffer;
   return hasDefaultFramebuffer;
 }

@@ -172,6 +172,7 @@ class Context {
 
   // Whether there is something to draw to (false: surfaceless, or an incomplete framebuffer object). Brings
   // state.framebuffer up to date. Under the ShareLock.
+  void renewDefaultFramebuffer();
   bool framebufferComplete();
   // The same for what pixels are read from, readFramebuffer.
   bool readFramebufferComplete();
@@ -186,6 +187,11 @@ class Context {
   bool hasFramebuffer = false;  // state.framebuffer is one
   bool hadFramebuffer = false;  // viewport and scissor have their initial values
   bool hasDefaultFramebuffer = false;
+  // What readies the default framebuffer's images; null: they are.
+  struct Expired {
+    void (*renew)(const egl::Binding&) = nullptr;
+    const egl::Binding* surfaces = nullptr;
+  } expired;
   render::Framebuffer defaultFramebuffer;
   render::Framebuffer defaultReadFramebuffer;
   // OES_framebuffer_object. Null: the default framebuffer, or no renderbuffer.

@@ -67,12 +67,22 @@ void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
   c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
   c.defaultReadFramebuffer = read ? *read : c.defaultFramebuffer;
   c.hasDefaultFramebuffer = framebuffer != nullptr;
+  c.expired = {};
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
   if (!framebuffer || c.hadFramebuffer) return;
   c.hadFramebuffer = true;
   c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};
   c.state.scissor = c.state.viewport;
   c.mark(gen::kGroupViewport);
+}
+
+void expireDefaultFramebuffer(Context& c, void (*renew)(const egl::Binding&), const egl::Binding* surfaces) {
+  c.expired = {renew, surfaces};
+}
+
+render::Presented present(Context& c, render::Window& window, std::span<const render::Rect> damage) {
+  ShareLock lock(*c.group);
+  return c.renderer->present(window, damage);
 }
 
 render::Context& rendererOf(Context& c) {

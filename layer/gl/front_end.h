@@ -4,9 +4,14 @@
 #include <GLES/gl.h>
 
 #include <memory>
+#include <span>
 #include <string_view>
 
 #include "layer/render/renderer.h"
+
+namespace anteroom::egl {
+struct Binding;  // opaque here
+}
 
 namespace anteroom::gl {
 
@@ -43,6 +48,14 @@ void makeCurrent(Context* context);
 // what pixels are read and copied from.
 void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer,
                            const render::Framebuffer* read = nullptr);
+
+// Name 0's images no longer hold: before they are used setDefaultFramebuffer is called, by renew(surfaces).
+// For windows, which get the image of their next picture as late as may be. setDefaultFramebuffer ends it.
+void expireDefaultFramebuffer(Context& context, void (*renew)(const egl::Binding&),
+                              const egl::Binding* surfaces);
+
+// eglSwapBuffers: shows what was drawn.
+render::Presented present(Context& context, render::Window& window, std::span<const render::Rect> damage);
 
 // eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the
 // texture had is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it

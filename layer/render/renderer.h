@@ -10,11 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "gen/profile.h"
 #include "layer/render/state.h"
+#include "layer/render/window.h"
 
 namespace anteroom::render {
 
@@ -98,6 +100,9 @@ struct Caps {
   bool renderable[kFormatCount] = {};  // indexed by Format
   int maxSamples = 1;
   bool polygonOffsetClamp = true;
+  // Window systems whose windows can be drawn to.
+  bool xcbWindows = false;
+  bool waylandWindows = false;
 };
 
 // Hears of what makes a context slow. Called on the context's thread.
@@ -157,6 +162,13 @@ class Context {
   virtual void flush() = 0;
   virtual void finish() = 0;
 
+  // Shows what was drawn to the window's image, which must be acquired again before anything else is drawn to
+  // it. `damage`: the parts that differ from the picture before, in GL's coordinates; empty: all of it.
+  virtual Presented present(Window&, std::span<const Rect> damage) {
+    static_cast<void>(damage);
+    return Presented::Lost;
+  }
+
   // A point in this context's stream. insertFence flushes. waitFence: timeout in ns; true when passed. Any
   // thread may wait, in any context of the device, also while others use it. What a context is told after
   // another one's fence was inserted is done after that fence.
@@ -175,6 +187,8 @@ class Device {
   // `data` null: zeros.
   virtual std::shared_ptr<Buffer> createBuffer(size_t size, const void* data) = 0;
   virtual std::unique_ptr<Context> createContext() = 0;
+  // Null: out of memory, or nothing that this device could draw to.
+  virtual std::unique_ptr<Window> createWindow(const WindowDesc&) { return nullptr; }
 };
 
 }  // namespace anteroom::render

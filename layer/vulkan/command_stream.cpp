@@ -118,7 +118,7 @@ VkDescriptorSet CommandStream::allocateTextureSet() {
   return set;
 }
 
-uint64_t CommandStream::submit() {
+uint64_t CommandStream::submit(VkSemaphore signal) {
   if (lost_) return 0;
   if (!recording_) return lastSubmitted_;
   Slot& slot = slots_[slot_];
@@ -131,7 +131,7 @@ uint64_t CommandStream::submit() {
   recording_ = false;
   recordingId_ = nextNumber.fetch_add(1, std::memory_order_relaxed);  // nothing is bound any more
   if (fn.vkEndCommandBuffer(slot.main) == VK_SUCCESS)
-    slot.serial = device_.timeline().submit(slot.fresh, slot.main);
+    slot.serial = device_.timeline().submit(slot.fresh, slot.main, signal);
   else
     slot.serial = 0;
   if (slot.serial == 0) {

@@ -55,8 +55,8 @@ class CommandStream {
   VkDescriptorSet allocateTextureSet();
 
   // Submits what was recorded and returns its number, or that of the last submission when there is nothing.
-  // 0: the device is lost or out of memory.
-  uint64_t submit();
+  // 0: the device is lost or out of memory. `signal`: a semaphore for presenting; there must be something.
+  uint64_t submit(VkSemaphore signal = VK_NULL_HANDLE);
   uint64_t lastSubmitted() const { return lastSubmitted_; }
   // Drops the references of submissions that are complete.
   void retire();

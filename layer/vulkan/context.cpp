@@ -35,12 +35,12 @@ VulkanContext::~VulkanContext() {
   device_.driverCache().save();
 }
 
-bool VulkanContext::submit() {
+bool VulkanContext::submit(VkSemaphore signal) {
   flushBatch();
   pass_.end();
   drawsSinceSubmit_ = 0;
   if (!commands_.recording()) return !commands_.lost();
-  const uint64_t serial = commands_.submit();
+  const uint64_t serial = commands_.submit(signal);
   for (Stream* stream : {&vertices_, &indices_, &constants_, &staging_, &readBack_})
     stream->submitted(serial);
   if (serial) ++stats_.submits;

@@ -40,6 +40,7 @@ class VulkanContext final : public render::Context {
   bool generateMipmaps(render::Image& image) override;
   void flush() override;
   void finish() override;
+  render::Presented present(render::Window& window, std::span<const render::Rect> damage) override;
   uint64_t insertFence() override;
   bool waitFence(uint64_t fence, uint64_t timeout) override;
   const render::Stats& stats() const override;
@@ -169,7 +170,11 @@ class VulkanContext final : public render::Context {
                          int x, int y);
   // mipmaps.cpp
   bool blitMipmaps(VulkanImage& image);
-  bool submit();
+  bool submit(VkSemaphore signal = VK_NULL_HANDLE);
+  // present.cpp
+  bool copyStore(const std::shared_ptr<ImageStore>& from, const std::shared_ptr<ImageStore>& to,
+                 VkExtent2D extent);
+  bool leaveForPresentation(const std::shared_ptr<ImageStore>& store);
 
   VulkanDevice& device_;
   CommandStream commands_;

@@ -16,6 +16,7 @@
 #include "layer/vulkan/sampler.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
+#include "layer/vulkan/window.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -136,6 +137,8 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   for (size_t i = 0; i < formats_.size(); ++i) caps_.renderable[i] = formats_[i].renderable;
   caps_.maxSamples = commonSamples();
   caps_.polygonOffsetClamp = features_.depthBiasClamp;
+  caps_.xcbWindows = instance_.xcbSurfaces && features_.swapchain;
+  caps_.waylandWindows = instance_.waylandSurfaces && features_.swapchain;
 }
 
 bool VulkanDevice::createLayouts() {

@@ -50,7 +50,9 @@ class VulkanDevice : public render::Device {
   std::shared_ptr<render::Image> createImage(const render::ImageDesc& desc) override;
   std::shared_ptr<render::Buffer> createBuffer(size_t size, const void* data) override;
   std::unique_ptr<render::Context> createContext() override;
+  std::unique_ptr<render::Window> createWindow(const render::WindowDesc& desc) override;
 
+  VkInstance instance() const { return instance_.handle; }
   VkDevice handle() const { return handle_; }
   VkPhysicalDevice physical() const { return instance_.physical; }
   uint32_t queueFamily() const { return instance_.queueFamily; }

@@ -71,6 +71,7 @@ class DeviceBuilder {
   void* tail_ = nullptr;
   Chain chain_;
   bool pushDescriptors_ = false, mirrorClamp_ = false, portability_ = false;
+  bool swapchain_ = false, presentRegions_ = false;
 };
 
 void DeviceBuilder::enableExtensions() {
@@ -90,6 +91,9 @@ void DeviceBuilder::enableExtensions() {
   enable(VK_EXT_4444_FORMATS_EXTENSION_NAME, chain_.formats4444);
   pushDescriptors_ = enable(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
   mirrorClamp_ = enable(VK_KHR_SAMPLER_MIRROR_CLAMP_TO_EDGE_EXTENSION_NAME);
+  swapchain_ = has(VK_KHR_SWAPCHAIN_EXTENSION_NAME) && instance_.surfaces();
+  if (swapchain_) names_.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  presentRegions_ = swapchain_ && enable(VK_KHR_INCREMENTAL_PRESENT_EXTENSION_NAME);
   // A device of the portability subset must be told that its limits are known.
   portability_ = has("VK_KHR_portability_subset");
   if (portability_) names_.push_back("VK_KHR_portability_subset");
@@ -125,6 +129,8 @@ void DeviceBuilder::readFeatures(Features& f) {
   f.pushDescriptors = pushDescriptors_;
   f.mirrorClampToEdge = mirrorClamp_;
   f.triangleFans = !portability_;
+  f.swapchain = swapchain_;
+  f.presentRegions = presentRegions_;
   // The line mode is only known to a device with the extension that defines it.
   f.dynamicState3 = f.dynamicState3 && f.bresenhamLines;
 }

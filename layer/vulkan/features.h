@@ -33,6 +33,8 @@ struct Features {
   bool timelineSemaphore = false;
   bool mirrorClampToEdge = false;
   bool formats4444 = false;
+  bool swapchain = false;
+  bool presentRegions = false;  // VK_KHR_incremental_present
   bool triangleFans = true;  // absent on layered devices of the portability subset
 };
 

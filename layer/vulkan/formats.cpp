@@ -105,6 +105,18 @@ void mapWords(const std::byte* in, int count, std::byte* out, Function function)
   }
 }
 
+// The first and the third of the bytes of a texel change places; alpha is 1 where there is none.
+template <int In, int Out>
+void swapBytes(const std::byte* in, int count, std::byte* out) {
+  for (int i = 0; i < count; ++i, in += In, out += Out) {
+    const std::byte first = in[0];
+    out[0] = in[2];
+    out[1] = in[1];
+    out[2] = first;
+    if constexpr (Out == 4) out[3] = In == 4 ? in[3] : std::byte{255};
+  }
+}
+
 constexpr uint32_t swapRedBlue(uint32_t v) {
   return (v & 0x0f0f) | (v >> 8 & 0xf0) | (v & 0xf0) << 8;
 }
@@ -150,6 +162,10 @@ void toStore(Format format, Conversion conversion, const std::byte* in, int coun
         out[3] = std::byte{255};
       }
       return;
+    case Conversion::SwapBytes:
+      return swapBytes<4, 4>(in, count, out);
+    case Conversion::SwapAddAlpha:
+      return swapBytes<3, 4>(in, count, out);
     case Conversion::RotateNibble:
       mapWords(in, count, out, [](uint32_t v) { return v >> 4 | v << 12; });
       return;
@@ -173,6 +189,10 @@ void fromStore(Format format, Conversion conversion, const std::byte* in, int co
     case Conversion::AddAlpha:
       for (int i = 0; i < count; ++i, in += 4, out += 3) std::memcpy(out, in, 3);
       return;
+    case Conversion::SwapBytes:
+      return swapBytes<4, 4>(in, count, out);
+    case Conversion::SwapAddAlpha:
+      return swapBytes<4, 3>(in, count, out);
     case Conversion::RotateNibble:
       mapWords(in, count, out, [](uint32_t v) { return v << 4 | v >> 12; });
       return;

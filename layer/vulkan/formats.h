@@ -20,8 +20,14 @@ enum class Conversion : uint8_t {
   RotateNibble,  // RGBA4444 to ARGB4444
   SwapRedBlue,   // RGBA4444 to BGRA4444
   RotateBit,     // RGBA5551 to ARGB1555
+  SwapBytes,     // RGBA8 to BGRA8
+  SwapAddAlpha,  // RGB8 to BGRA8, alpha 1
   Widen,         // any packed format to RGBA8: no device format holds it
 };
+
+constexpr bool addsAlpha(Conversion conversion) {
+  return conversion == Conversion::AddAlpha || conversion == Conversion::SwapAddAlpha;
+}
 
 struct StoreFormat {
   VkFormat format = VK_FORMAT_UNDEFINED;

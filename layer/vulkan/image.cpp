@@ -75,7 +75,7 @@ bool fits(VkPhysicalDevice device, const VkImageCreateInfo& info) {
 // Contents nobody wrote: black, opaque where there is no alpha to see.
 void fillFresh(ImageStore& store, const StoreFormat& format) {
   std::memset(store.mapped, 0, store.memory.size);
-  if (format.conversion != Conversion::AddAlpha) return;
+  if (!addsAlpha(format.conversion)) return;
   for (VkDeviceSize i = 3; i < store.memory.size; i += 4) store.mapped[i] = std::byte{255};
 }
 
@@ -93,7 +93,15 @@ void readPlanes(ImageStore& store, const VkImageCreateInfo& info) {
 
 }  // namespace
 
+uint64_t newStoreId() {
+  return nextStoreId.fetch_add(1, std::memory_order_relaxed);
+}
+
 ImageStore::~ImageStore() {
+  release();
+}
+
+void ImageStore::release() {
   const auto& fn = device.fn();
   if (image) device.removeFreshImage(image);
   for (const auto& held : legacyFramebuffers)
@@ -101,8 +109,13 @@ ImageStore::~ImageStore() {
   for (const auto& held : attachmentViews) fn.vkDestroyImageView(device.handle(), held.view, nullptr);
   for (const auto& held : partViews) fn.vkDestroyImageView(device.handle(), held.view, nullptr);
   fn.vkDestroyImageView(device.handle(), view, nullptr);
-  fn.vkDestroyImage(device.handle(), image, nullptr);
+  if (!borrowed) fn.vkDestroyImage(device.handle(), image, nullptr);
   device.memory().free(memory);
+  legacyFramebuffers.clear();
+  attachmentViews.clear();
+  partViews.clear();
+  view = VK_NULL_HANDLE;
+  image = VK_NULL_HANDLE;
 }
 
 VkImageView ImageStore::attachmentView(int level, int layer) {
@@ -126,7 +139,10 @@ VkImageView ImageStore::partView(int level, int layer, const VkComponentMapping&
 }
 
 VulkanImage::VulkanImage(VulkanDevice& device, const render::ImageDesc& desc)
-    : render::Image(desc), device_(device), format_(device.format(desc.format)) {
+    : VulkanImage(device, desc, device.format(desc.format)) {}
+
+VulkanImage::VulkanImage(VulkanDevice& device, const render::ImageDesc& desc, const StoreFormat& format)
+    : render::Image(desc), device_(device), format_(format) {
   // A new depth image counts as cleared: it costs nothing until it is used.
   if (render::isDepthOrStencil(desc.format)) {
     pending.aspects = format_.aspects;
@@ -151,7 +167,7 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
   store->aspects = format_.aspects;
   store->type = info.imageType;
   store->layers = static_cast<int>(info.arrayLayers);
-  store->id = nextStoreId.fetch_add(1, std::memory_order_relaxed);
+  store->id = newStoreId();
   if (fn.vkCreateImage(device_.handle(), &info, nullptr, &store->image) != VK_SUCCESS) return nullptr;
   device_.countObject();
   VkMemoryRequirements requirements;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "layer/render/renderer.h"
@@ -42,6 +43,9 @@ struct ImageStore {
   };
 
   const Plane& plane(int level, int layer) const { return planes[level * layers + layer]; }
+  // Destroys the image, unless it is borrowed, and all that refers to it. Nothing uses it any more.
+  void release();
+
   // Null: out of memory.
   VkImageView attachmentView(int level, int layer);
   // One level of one layer, for sampling.
@@ -49,6 +53,7 @@ struct ImageStore {
 
   VulkanDevice& device;
   VkImage image = VK_NULL_HANDLE;
+  bool borrowed = false;  // from a swapchain
   VkImageView view = VK_NULL_HANDLE;  // for sampling; null for what is never sampled
   Allocation memory;
   VkFormat format = VK_FORMAT_UNDEFINED;
@@ -86,9 +91,13 @@ struct Contents {
   bool operator==(const Contents&) const = default;
 };
 
+// A number for a new store.
+uint64_t newStoreId();
+
 class VulkanImage final : public render::Image {
  public:
   VulkanImage(VulkanDevice& device, const render::ImageDesc& desc);
+  VulkanImage(VulkanDevice& device, const render::ImageDesc& desc, const StoreFormat& format);
 
   void setLabel(std::string_view text) override;
 
@@ -96,6 +105,10 @@ class VulkanImage final : public render::Image {
   ImageStore* store(bool overwritten = false);
   bool hasStore() const { return store_ != nullptr; }
   const std::shared_ptr<ImageStore>& held() const { return store_; }
+  // A store that could be the image's. Null: out of memory.
+  std::shared_ptr<ImageStore> newStore() const { return createStore(desc_.samples, true); }
+  // Null: the image will make one of its own. For windows, whose stores are the swapchain's.
+  void setStore(std::shared_ptr<ImageStore> store) { store_ = std::move(store); }
   // Puts an idle store in the place of the present one and returns the former. Null: out of memory.
   std::shared_ptr<ImageStore> replaceStore();
   // A store with one sample a pixel, for the contents of a multisampled image. Null: out of memory.
@@ -118,7 +131,7 @@ class VulkanImage final : public render::Image {
   std::shared_ptr<ImageStore> createStore(int samples, bool overwritten) const;
 
   VulkanDevice& device_;
-  const StoreFormat& format_;
+  const StoreFormat format_;
   std::string label_;
   std::shared_ptr<ImageStore> store_, resolved_;
   std::vector<std::shared_ptr<ImageStore>> spares_;  // former stores, to be used again when idle

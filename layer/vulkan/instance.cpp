@@ -1,5 +1,6 @@
 #include "layer/vulkan/instance.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -39,14 +40,32 @@ bool hasLayer(const char* name) {
   return false;
 }
 
-bool hasInstanceExtension(const char* name) {
+// The extensions that there are of those that are wanted. With `validation` the layer brings the debug
+// utilities.
+std::vector<const char*> chooseExtensions(Instance& instance, bool debugUtils, bool validation) {
   uint32_t count = 0;
   vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
-  std::vector<VkExtensionProperties> extensions(count);
-  vkEnumerateInstanceExtensionProperties(nullptr, &count, extensions.data());
-  for (const auto& extension : extensions)
-    if (!std::strcmp(extension.extensionName, name)) return true;
-  return false;
+  std::vector<VkExtensionProperties> available(count);
+  vkEnumerateInstanceExtensionProperties(nullptr, &count, available.data());
+  std::vector<const char*> chosen;
+  const auto choose = [&](const char* name) {
+    const bool found = std::any_of(available.begin(), available.end(), [&](const auto& extension) {
+      return !std::strcmp(extension.extensionName, name);
+    });
+    if (found) chosen.push_back(name);
+    return found;
+  };
+  if (validation) {
+    chosen.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    instance.debugUtils = true;
+  } else {
+    instance.debugUtils = debugUtils && choose(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+  }
+  if (choose(VK_KHR_SURFACE_EXTENSION_NAME)) {
+    instance.xcbSurfaces = choose("VK_KHR_xcb_surface");
+    instance.waylandSurfaces = choose("VK_KHR_wayland_surface");
+  }
+  return chosen;
 }
 
 int preference(VkPhysicalDeviceType type) {
@@ -143,7 +162,6 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
   VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
   const char* layer = "VK_LAYER_KHRONOS_validation";
-  const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
   const bool validation = options.validation && hasLayer(layer);
   if (options.validation && !validation)
     std::fprintf(stderr, "anteroom: no validation layer: install vulkan-validationlayers\n");
@@ -151,11 +169,10 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &layer;
   }
-  instance.debugUtils = validation || (!options.minimal && hasInstanceExtension(extension));
-  if (instance.debugUtils) {
-    info.enabledExtensionCount = 1;
-    info.ppEnabledExtensionNames = &extension;
-  }
+  const std::vector<const char*> extensions =
+      chooseExtensions(instance, validation || !options.minimal, validation);
+  info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   if (VkResult result = vkCreateInstance(&info, nullptr, &instance.handle); result != VK_SUCCESS) {
     error = "vkCreateInstance failed with " + std::to_string(result) + ": check the Vulkan driver";
     return false;

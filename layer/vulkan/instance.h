@@ -15,6 +15,9 @@ struct Instance {
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   uint32_t queueFamily = 0;  // graphics
   bool debugUtils = false;   // VK_EXT_debug_utils is on
+  bool xcbSurfaces = false, waylandSurfaces = false;
+
+  bool surfaces() const { return xcbSurfaces || waylandSurfaces; }
 };
 
 // Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:

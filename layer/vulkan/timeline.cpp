@@ -90,7 +90,7 @@ bool Timeline::recordFreshImages(VkCommandBuffer commands) {
   return true;
 }
 
-uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main) {
+uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal) {
   const std::lock_guard lock(queueMutex_);
   VkCommandBuffer buffers[2];
   VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
@@ -100,13 +100,17 @@ uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main) {
 
   const uint64_t serial = submitted_.load(std::memory_order_relaxed) + 1;
   std::shared_ptr<Fence> fence;
+  VkSemaphore signals[2];
+  uint64_t signalValues[2]{};
   VkTimelineSemaphoreSubmitInfoKHR values{VK_STRUCTURE_TYPE_TIMELINE_SEMAPHORE_SUBMIT_INFO_KHR};
+  info.pSignalSemaphores = signals;
+  if (signal) signals[info.signalSemaphoreCount++] = signal;
   if (semaphore_) {
-    values.signalSemaphoreValueCount = 1;
-    values.pSignalSemaphoreValues = &serial;
+    signalValues[info.signalSemaphoreCount] = serial;
+    signals[info.signalSemaphoreCount++] = semaphore_;
+    values.signalSemaphoreValueCount = info.signalSemaphoreCount;
+    values.pSignalSemaphoreValues = signalValues;
     info.pNext = &values;
-    info.signalSemaphoreCount = 1;
-    info.pSignalSemaphores = &semaphore_;
   } else if (!(fence = takeFence())) {
     return 0;
   }
@@ -119,6 +123,16 @@ uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main) {
   }
   submitted_.store(serial, std::memory_order_release);
   return serial;
+}
+
+VkResult Timeline::present(const VkPresentInfoKHR& info) {
+  const std::lock_guard lock(queueMutex_);
+  return device_.fn().vkQueuePresentKHR(device_.queue(), &info);
+}
+
+void Timeline::idle() {
+  const std::lock_guard lock(queueMutex_);
+  device_.fn().vkQueueWaitIdle(device_.queue());
 }
 
 uint64_t Timeline::completed() {

@@ -22,8 +22,12 @@ class Timeline {
   bool initialise();
 
   // Submits `main`. The first layouts of new images are recorded into `fresh` before, which is left out when
-  // there are none. Returns the number; 0: the device is lost or out of memory.
-  uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main);
+  // there are none. `signal`: a semaphore that is signaled, too, unless null. Returns the number; 0: the
+  // device is lost or out of memory.
+  uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal);
+  VkResult present(const VkPresentInfoKHR& info);
+  // Waits until the queue does nothing, presents included.
+  void idle();
 
   // The number of the last submission that is complete.
   uint64_t completed();

@@ -1,0 +1,131 @@
+#include "layer/vulkan/swapchain.h"
+
+#include <algorithm>
+
+#include "layer/vulkan/device.h"
+#include "layer/vulkan/timeline.h"
+
+namespace anteroom::vulkan {
+
+VkResult Swapchain::create(VulkanDevice& device, const SwapchainDesc& desc, const Swapchain* former,
+                           std::unique_ptr<Swapchain>& out) {
+  std::unique_ptr<Swapchain> made(new Swapchain(device, desc));
+  VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
+  info.surface = desc.surface;
+  info.minImageCount = desc.images;
+  info.imageFormat = desc.format.format;
+  info.imageColorSpace = desc.format.colorSpace;
+  info.imageExtent = desc.extent;
+  info.imageArrayLayers = 1;
+  info.imageUsage = kSwapchainUsage;
+  info.preTransform = VK_SURFACE_TRANSFORM_IDENTITY_BIT_KHR;
+  info.compositeAlpha = desc.alpha;
+  info.presentMode = desc.mode;
+  info.clipped = VK_FALSE;  // pixels that are covered are read back, too
+  info.oldSwapchain = former ? former->handle_ : VK_NULL_HANDLE;
+  const auto& fn = device.fn();
+  VkResult result = fn.vkCreateSwapchainKHR(device.handle(), &info, nullptr, &made->handle_);
+  if (result != VK_SUCCESS) return result;
+  device.countObject();
+  if ((result = made->createImages()) != VK_SUCCESS) return result;
+  out = std::move(made);
+  return VK_SUCCESS;
+}
+
+VkResult Swapchain::createImages() {
+  const auto& fn = device_.fn();
+  uint32_t count = 0;
+  std::vector<VkImage> handles;
+  VkResult result;
+  do {
+    if ((result = fn.vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, nullptr)) != VK_SUCCESS)
+      return result;
+    handles.resize(count);
+    result = fn.vkGetSwapchainImagesKHR(device_.handle(), handle_, &count, handles.data());
+  } while (result == VK_INCOMPLETE);
+  if (result != VK_SUCCESS) return result;
+  images_.resize(count);
+  for (uint32_t i = 0; i < count; ++i) {
+    auto store = std::make_shared<ImageStore>(device_);
+    store->image = handles[i];
+    store->borrowed = true;
+    store->format = desc_.format.format;
+    store->aspects = VK_IMAGE_ASPECT_COLOR_BIT;
+    store->id = newStoreId();
+    images_[i].store = std::move(store);
+    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    result = fn.vkCreateSemaphore(device_.handle(), &semaphore, nullptr, &images_[i].drawn);
+    if (result != VK_SUCCESS) return result;
+    device_.countObject();
+  }
+  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  device_.countObject();
+  return fn.vkCreateFence(device_.handle(), &fence, nullptr, &ready_);
+}
+
+Swapchain::~Swapchain() {
+  const auto& fn = device_.fn();
+  // Nothing tells when a present is done but the queue.
+  device_.timeline().idle();
+  for (Image& image : images_) {
+    if (image.store) image.store->release();
+    fn.vkDestroySemaphore(device_.handle(), image.drawn, nullptr);
+  }
+  fn.vkDestroyFence(device_.handle(), ready_, nullptr);
+  fn.vkDestroySwapchainKHR(device_.handle(), handle_, nullptr);
+}
+
+VkResult Swapchain::acquire() {
+  const auto& fn = device_.fn();
+  uint32_t index = 0;
+  const VkResult result =
+      fn.vkAcquireNextImageKHR(device_.handle(), handle_, UINT64_MAX, VK_NULL_HANDLE, ready_, &index);
+  if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) return result;
+  fn.vkWaitForFences(device_.handle(), 1, &ready_, VK_TRUE, UINT64_MAX);
+  fn.vkResetFences(device_.handle(), 1, &ready_);
+  acquired_ = static_cast<int>(index);
+  const bool shown = images_[index].picture != 0;
+  device_.addFreshImage({images_[index].store->image, VK_IMAGE_ASPECT_COLOR_BIT,
+                         shown ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED, !shown});
+  return result;
+}
+
+int Swapchain::age() const {
+  const uint64_t picture = images_[acquired_].picture;
+  return picture == 0 ? 0 : static_cast<int>(pictures_ - picture + 1);
+}
+
+VkResult Swapchain::present(std::span<const render::Rect> damage) {
+  Image& image = images_[acquired_];
+  const auto index = static_cast<uint32_t>(acquired_);
+  VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+  info.waitSemaphoreCount = 1;
+  info.pWaitSemaphores = &image.drawn;
+  info.swapchainCount = 1;
+  info.pSwapchains = &handle_;
+  info.pImageIndices = &index;
+
+  VkPresentRegionKHR region{};
+  VkPresentRegionsKHR regions{VK_STRUCTURE_TYPE_PRESENT_REGIONS_KHR};
+  const auto width = static_cast<int>(desc_.extent.width), height = static_cast<int>(desc_.extent.height);
+  damage_.clear();
+  for (const render::Rect& rect : damage) {
+    const auto edge = [](int64_t at, int size) { return static_cast<int>(std::clamp<int64_t>(at, 0, size)); };
+    const int left = edge(rect.x, width), right = edge(int64_t{rect.x} + rect.width, width);
+    const int low = edge(rect.y, height), high = edge(int64_t{rect.y} + rect.height, height);
+    if (left >= right || low >= high) continue;
+    damage_.push_back(
+        {{left, height - high}, {static_cast<uint32_t>(right - left), static_cast<uint32_t>(high - low)}, 0});
+  }
+  if (device_.features().presentRegions && !damage_.empty()) {
+    region = {static_cast<uint32_t>(damage_.size()), damage_.data()};
+    regions.swapchainCount = 1;
+    regions.pRegions = &region;
+    info.pNext = &regions;
+  }
+  image.picture = ++pictures_;
+  acquired_ = -1;
+  return device_.timeline().present(info);
+}
+
+}  // namespace anteroom::vulkan
