@@ -99,15 +99,15 @@ static std::shared_ptr<WindowSystem> openWindowSystem(const Platform& platform) 
 void Display::initialize() {
   if (initialized()) return;
   auto system = openWindowSystem(platform_);
+  std::optional<render::WindowSystem> windows;
+  if (system != nullptr) windows = system->name();
   std::string error;
-  std::shared_ptr<render::Device> device = createDevice(error);
+  std::shared_ptr<render::Device> device = createDevice(windows, error);
   if (device == nullptr) {
     log(error.c_str());
     throw Error{EGL_NOT_INITIALIZED};
   }
-  const render::Caps& caps = device->caps();
-  const bool windows = platform_.name == EGL_PLATFORM_WAYLAND_KHR ? caps.waylandWindows : caps.xcbWindows;
-  configs_ = makeConfigs(caps, windows ? system.get() : nullptr);
+  configs_ = makeConfigs(device->caps(), device->caps().windows ? system.get() : nullptr);
   windowSystem_ = std::move(system);
   device_ = std::move(device);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "layer/render/renderer.h"
@@ -12,6 +13,7 @@ struct RendererOptions {
   std::string device;       // ANTEROOM_DEVICE: part of a device's name, or an index
   bool validation = false;  // ANTEROOM_VALIDATION
   bool minimal = false;     // ANTEROOM_MINIMAL: as little of the device as a renderer can live with
+  std::optional<render::WindowSystem> windows;  // whose windows will be drawn to
 };
 
 // Null: no device; `error` then says why and what to do.
@@ -22,6 +24,6 @@ using CreateDevice = std::unique_ptr<render::Device> (*)(const RendererOptions& 
 bool addRenderer(const char* name, CreateDevice create);
 
 // The device that the environment asks for. Null: none, `error` says why.
-std::unique_ptr<render::Device> createDevice(std::string& error);
+std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem> windows, std::string& error);
 
 }  // namespace anteroom::egl

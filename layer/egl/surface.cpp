@@ -95,13 +95,15 @@ EGLSurface refusePixmap(EGLDisplay dpy, const char* name = __builtin_FUNCTION())
       name);
 }
 
-EGLint ageOf(Surface& surface) {
+// The images of the next picture tell its size and age. Not under the lock: it may wait for the window system.
+void renewWhereCurrent(const Surface& surface, EGLint attribute) {
   const Binding* binding = currentBinding();
-  require(binding != nullptr && binding->draw.get() == &surface, EGL_BAD_SURFACE);
-  return surface.age(*binding);
+  const bool current = binding != nullptr && binding->draw.get() == &surface;
+  require(current || attribute != EGL_BUFFER_AGE_EXT, EGL_BAD_SURFACE);
+  if (current) renewSurfaces(*binding);
 }
 
-EGLint query(Surface& surface, EGLint attribute) {
+EGLint query(const Surface& surface, EGLint attribute) {
   const SurfaceAttributes& is = surface.attributes;
   switch (attribute) {
     case EGL_CONFIG_ID:
@@ -133,7 +135,7 @@ EGLint query(Surface& surface, EGLint attribute) {
     case EGL_RENDER_BUFFER:
       return is.renderBuffer;
     case EGL_BUFFER_AGE_EXT:
-      return ageOf(surface);
+      return surface.age();
     case EGL_HORIZONTAL_RESOLUTION:
     case EGL_VERTICAL_RESOLUTION:
     case EGL_PIXEL_ASPECT_RATIO:
@@ -306,7 +308,10 @@ EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLin
   return command<EGLBoolean>(EGL_FALSE, [&](Lock& lock) {
     const auto found = initializedDisplay(dpy).surface(surface);
     require(value != nullptr, EGL_BAD_PARAMETER);
-    if (attribute == EGL_BUFFER_AGE_EXT) lock.unlock();  // it may wait for the window system
+    if (attribute == EGL_WIDTH || attribute == EGL_HEIGHT || attribute == EGL_BUFFER_AGE_EXT) {
+      lock.unlock();
+      renewWhereCurrent(*found, attribute);
+    }
     const EGLint answer = query(*found, attribute);
     if (!found->isWindow() || !isOfPbuffers(attribute)) *value = answer;
     return EGL_TRUE;

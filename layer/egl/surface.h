@@ -58,8 +58,8 @@ class Surface {
   virtual void post(const Binding& binding, std::span<const render::Rect> damage);
   virtual void setSwapBehavior(EGLint behavior) { attributes.swapBehavior = behavior; }
   virtual void setSwapInterval(EGLint) {}
-  // EGL_BUFFER_AGE_EXT of a surface that is current in the calling thread.
-  virtual EGLint age(const Binding&) { return 0; }
+  // EGL_BUFFER_AGE_EXT of a surface that has not expired.
+  virtual EGLint age() const { return 0; }
 
   // EGL_MIPMAP_LEVEL; takes effect at once where the surface is current, like allocate().
   bool setMipmapLevel(EGLint level);

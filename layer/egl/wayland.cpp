@@ -64,6 +64,8 @@ class Wayland final : public WindowSystem, public std::enable_shared_from_this<W
     if (owned_) clientFunction<decltype(&wl_display_disconnect)>("wl_display_disconnect")(display_);
   }
 
+  render::WindowSystem name() const override { return render::WindowSystem::Wayland; }
+
   std::vector<Visual> visuals(bool alpha) const override { return {{0, EGL_NONE, alpha}}; }
 
   std::unique_ptr<NativeWindow> window(uintptr_t native, const Visual& visual) override {

@@ -60,11 +60,6 @@ void WindowSurface::setSwapBehavior(EGLint behavior) {
   preserved_ = behavior == EGL_BUFFER_PRESERVED;
 }
 
-EGLint WindowSurface::age(const Binding& binding) {
-  renewSurfaces(binding);
-  return window_->age();
-}
-
 void WindowSurface::post(const Binding& binding, std::span<const render::Rect> damage) {
   renewSurfaces(binding);  // a picture that nobody drew is shown, too
   gl::Context& context = *binding.context->gl;

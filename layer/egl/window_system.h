@@ -35,6 +35,7 @@ class NativeWindow {
 class WindowSystem {
  public:
   virtual ~WindowSystem() = default;
+  virtual render::WindowSystem name() const = 0;
   // For colors of 8 bits a component, the best first.
   virtual std::vector<Visual> visuals(bool alpha) const = 0;
   // `native`: as eglCreateWindowSurface takes it. Throws EGL_BAD_NATIVE_WINDOW; EGL_BAD_MATCH where the

@@ -77,6 +77,8 @@ class X11 final : public WindowSystem, public std::enable_shared_from_this<X11> 
     if (owned_) xcb_disconnect(connection_);
   }
 
+  render::WindowSystem name() const override { return render::WindowSystem::Xcb; }
+
   std::vector<Visual> visuals(bool alpha) const override {
     std::vector<Visual> found;
     // A window of the usual depth hides what is behind, whatever its colors' alpha.

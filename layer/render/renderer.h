@@ -100,9 +100,7 @@ struct Caps {
   bool renderable[kFormatCount] = {};  // indexed by Format
   int maxSamples = 1;
   bool polygonOffsetClamp = true;
-  // Window systems whose windows can be drawn to.
-  bool xcbWindows = false;
-  bool waylandWindows = false;
+  bool windows = false;  // of the window system that the device was made for
 };
 
 // Hears of what makes a context slow. Called on the context's thread.

@@ -137,8 +137,7 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   for (size_t i = 0; i < formats_.size(); ++i) caps_.renderable[i] = formats_[i].renderable;
   caps_.maxSamples = commonSamples();
   caps_.polygonOffsetClamp = features_.depthBiasClamp;
-  caps_.xcbWindows = instance_.xcbSurfaces && features_.swapchain;
-  caps_.waylandWindows = instance_.waylandSurfaces && features_.swapchain;
+  caps_.windows = features_.swapchain;
 }
 
 bool VulkanDevice::createLayouts() {
@@ -231,9 +230,9 @@ void VulkanDevice::addFreshImage(const FreshImage& image) {
   freshImages_.push_back(image);
 }
 
-void VulkanDevice::removeFreshImage(VkImage image) {
+bool VulkanDevice::removeFreshImage(VkImage image) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(freshImages_, [&](const FreshImage& fresh) { return fresh.image == image; });
+  return std::erase_if(freshImages_, [&](const FreshImage& fresh) { return fresh.image == image; }) != 0;
 }
 
 void VulkanDevice::takeFreshImages(std::vector<FreshImage>& images) {

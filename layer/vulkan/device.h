@@ -32,12 +32,13 @@ inline constexpr uint32_t kConstantRange = 16 << 10;
 // Push constants that every device has.
 inline constexpr uint32_t kPushRange = 128;
 
-// An image that no submission has touched yet.
+// An image that no submission has touched yet, or not since the window system had it.
 struct FreshImage {
   VkImage image;
   VkImageAspectFlags aspects;
   VkImageLayout layout;
-  bool clear;  // its contents are unknown, and must become something
+  bool clear;                          // its contents are unknown, and must become something
+  VkSemaphore ready = VK_NULL_HANDLE;  // signaled when it can be touched; null: it can
 };
 
 class VulkanDevice : public render::Device {
@@ -83,7 +84,8 @@ class VulkanDevice : public render::Device {
 
   // New images leave their first layout at the head of the next submission, whoever makes it.
   void addFreshImage(const FreshImage& image);
-  void removeFreshImage(VkImage image);
+  // Whether it was one.
+  bool removeFreshImage(VkImage image);
   void takeFreshImages(std::vector<FreshImage>& images);
 
   void countObject() { objects_.fetch_add(1, std::memory_order_relaxed); }

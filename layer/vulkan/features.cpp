@@ -91,7 +91,7 @@ void DeviceBuilder::enableExtensions() {
   enable(VK_EXT_4444_FORMATS_EXTENSION_NAME, chain_.formats4444);
   pushDescriptors_ = enable(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
   mirrorClamp_ = enable(VK_KHR_SAMPLER_MIRROR_CLAMP_TO_EDGE_EXTENSION_NAME);
-  swapchain_ = has(VK_KHR_SWAPCHAIN_EXTENSION_NAME) && instance_.surfaces();
+  swapchain_ = has(VK_KHR_SWAPCHAIN_EXTENSION_NAME) && instance_.surfaces;
   if (swapchain_) names_.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   presentRegions_ = swapchain_ && enable(VK_KHR_INCREMENTAL_PRESENT_EXTENSION_NAME);
   // A device of the portability subset must be told that its limits are known.

@@ -35,7 +35,7 @@ struct Features {
   bool formats4444 = false;
   bool swapchain = false;
   bool presentRegions = false;  // VK_KHR_incremental_present
-  bool triangleFans = true;  // absent on layered devices of the portability subset
+  bool triangleFans = true;     // absent on layered devices of the portability subset
 };
 
 // Creates a device with every feature that the renderer knows how to use; with `minimal`, with none that is

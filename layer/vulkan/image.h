@@ -53,7 +53,7 @@ struct ImageStore {
 
   VulkanDevice& device;
   VkImage image = VK_NULL_HANDLE;
-  bool borrowed = false;  // from a swapchain
+  bool borrowed = false;              // from a swapchain
   VkImageView view = VK_NULL_HANDLE;  // for sampling; null for what is never sampled
   Allocation memory;
   VkFormat format = VK_FORMAT_UNDEFINED;

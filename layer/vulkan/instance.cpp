@@ -42,7 +42,7 @@ bool hasLayer(const char* name) {
 
 // The extensions that there are of those that are wanted. With `validation` the layer brings the debug
 // utilities.
-std::vector<const char*> chooseExtensions(Instance& instance, bool debugUtils, bool validation) {
+std::vector<const char*> chooseExtensions(const DeviceOptions& options, bool validation, Instance& instance) {
   uint32_t count = 0;
   vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
   std::vector<VkExtensionProperties> available(count);
@@ -59,12 +59,12 @@ std::vector<const char*> chooseExtensions(Instance& instance, bool debugUtils, b
     chosen.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     instance.debugUtils = true;
   } else {
-    instance.debugUtils = debugUtils && choose(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    instance.debugUtils = !options.minimal && choose(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   }
-  if (choose(VK_KHR_SURFACE_EXTENSION_NAME)) {
-    instance.xcbSurfaces = choose("VK_KHR_xcb_surface");
-    instance.waylandSurfaces = choose("VK_KHR_wayland_surface");
-  }
+  // Others would have the driver's layers look for servers that nobody asked for.
+  if (options.windows && choose(VK_KHR_SURFACE_EXTENSION_NAME))
+    instance.surfaces = choose(*options.windows == render::WindowSystem::Xcb ? "VK_KHR_xcb_surface"
+                                                                             : "VK_KHR_wayland_surface");
   return chosen;
 }
 
@@ -169,8 +169,7 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
     info.enabledLayerCount = 1;
     info.ppEnabledLayerNames = &layer;
   }
-  const std::vector<const char*> extensions =
-      chooseExtensions(instance, validation || !options.minimal, validation);
+  const std::vector<const char*> extensions = chooseExtensions(options, validation, instance);
   info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
   if (VkResult result = vkCreateInstance(&info, nullptr, &instance.handle); result != VK_SUCCESS) {

@@ -15,9 +15,7 @@ struct Instance {
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   uint32_t queueFamily = 0;  // graphics
   bool debugUtils = false;   // VK_EXT_debug_utils is on
-  bool xcbSurfaces = false, waylandSurfaces = false;
-
-  bool surfaces() const { return xcbSurfaces || waylandSurfaces; }
+  bool surfaces = false;     // of the window system that was asked for
 };
 
 // Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:

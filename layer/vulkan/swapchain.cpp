@@ -1,6 +1,7 @@
 #include "layer/vulkan/swapchain.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/timeline.h"
@@ -53,25 +54,30 @@ VkResult Swapchain::createImages() {
     store->aspects = VK_IMAGE_ASPECT_COLOR_BIT;
     store->id = newStoreId();
     images_[i].store = std::move(store);
-    const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-    result = fn.vkCreateSemaphore(device_.handle(), &semaphore, nullptr, &images_[i].drawn);
-    if (result != VK_SUCCESS) return result;
-    device_.countObject();
+    if ((result = createSemaphore(images_[i].drawn)) != VK_SUCCESS) return result;
+    if ((result = createSemaphore(images_[i].ready)) != VK_SUCCESS) return result;
   }
-  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  return createSemaphore(spare_);
+}
+
+VkResult Swapchain::createSemaphore(VkSemaphore& out) {
+  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
   device_.countObject();
-  return fn.vkCreateFence(device_.handle(), &fence, nullptr, &ready_);
+  return device_.fn().vkCreateSemaphore(device_.handle(), &info, nullptr, &out);
 }
 
 Swapchain::~Swapchain() {
   const auto& fn = device_.fn();
+  if (acquired() && device_.removeFreshImage(store()->image))
+    device_.timeline().consume(images_[acquired_].ready);
   // Nothing tells when a present is done but the queue.
   device_.timeline().idle();
   for (Image& image : images_) {
     if (image.store) image.store->release();
+    fn.vkDestroySemaphore(device_.handle(), image.ready, nullptr);
     fn.vkDestroySemaphore(device_.handle(), image.drawn, nullptr);
   }
-  fn.vkDestroyFence(device_.handle(), ready_, nullptr);
+  fn.vkDestroySemaphore(device_.handle(), spare_, nullptr);
   fn.vkDestroySwapchainKHR(device_.handle(), handle_, nullptr);
 }
 
@@ -79,14 +85,15 @@ VkResult Swapchain::acquire() {
   const auto& fn = device_.fn();
   uint32_t index = 0;
   const VkResult result =
-      fn.vkAcquireNextImageKHR(device_.handle(), handle_, UINT64_MAX, VK_NULL_HANDLE, ready_, &index);
+      fn.vkAcquireNextImageKHR(device_.handle(), handle_, UINT64_MAX, spare_, VK_NULL_HANDLE, &index);
   if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) return result;
-  fn.vkWaitForFences(device_.handle(), 1, &ready_, VK_TRUE, UINT64_MAX);
-  fn.vkResetFences(device_.handle(), 1, &ready_);
   acquired_ = static_cast<int>(index);
+  // The semaphore of the image's last turn is at rest: the image would not be here otherwise.
+  std::swap(images_[index].ready, spare_);
   const bool shown = images_[index].picture != 0;
   device_.addFreshImage({images_[index].store->image, VK_IMAGE_ASPECT_COLOR_BIT,
-                         shown ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED, !shown});
+                         shown ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED, !shown,
+                         images_[index].ready});
   return result;
 }
 

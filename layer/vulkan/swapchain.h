@@ -52,16 +52,18 @@ class Swapchain {
  private:
   struct Image {
     std::shared_ptr<ImageStore> store;
+    VkSemaphore ready = VK_NULL_HANDLE;  // the window system was done with it when it was acquired last
     VkSemaphore drawn = VK_NULL_HANDLE;
     uint64_t picture = 0;  // that it showed last; 0: none
   };
   Swapchain(VulkanDevice& device, const SwapchainDesc& desc) : device_(device), desc_(desc) {}
   VkResult createImages();
+  VkResult createSemaphore(VkSemaphore& out);
 
   VulkanDevice& device_;
   const SwapchainDesc desc_;
   VkSwapchainKHR handle_ = VK_NULL_HANDLE;
-  VkFence ready_ = VK_NULL_HANDLE;
+  VkSemaphore spare_ = VK_NULL_HANDLE;  // for the next acquire
   std::vector<Image> images_;
   std::vector<VkRectLayerKHR> damage_;
   int acquired_ = -1;

@@ -61,6 +61,8 @@ void Timeline::retireFences() {
 
 bool Timeline::recordFreshImages(VkCommandBuffer commands) {
   fresh_.clear();
+  waits_.clear();
+  waitStages_.clear();
   device_.takeFreshImages(fresh_);
   if (fresh_.empty()) return false;
   const auto& fn = device_.fn();
@@ -69,6 +71,10 @@ bool Timeline::recordFreshImages(VkCommandBuffer commands) {
   fn.vkBeginCommandBuffer(commands, &info);
   barriers_.clear();
   for (const FreshImage& image : fresh_) {
+    if (image.ready) {
+      waits_.push_back(image.ready);
+      waitStages_.push_back(VK_PIPELINE_STAGE_ALL_COMMANDS_BIT);
+    }
     VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
     barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
     barrier.oldLayout = image.layout;
@@ -97,6 +103,9 @@ uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemapho
   if (recordFreshImages(fresh)) buffers[info.commandBufferCount++] = fresh;
   buffers[info.commandBufferCount++] = main;
   info.pCommandBuffers = buffers;
+  info.waitSemaphoreCount = static_cast<uint32_t>(waits_.size());
+  info.pWaitSemaphores = waits_.data();
+  info.pWaitDstStageMask = waitStages_.data();
 
   const uint64_t serial = submitted_.load(std::memory_order_relaxed) + 1;
   std::shared_ptr<Fence> fence;
@@ -128,6 +137,16 @@ uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemapho
 VkResult Timeline::present(const VkPresentInfoKHR& info) {
   const std::lock_guard lock(queueMutex_);
   return device_.fn().vkQueuePresentKHR(device_.queue(), &info);
+}
+
+void Timeline::consume(VkSemaphore semaphore) {
+  const VkPipelineStageFlags stage = VK_PIPELINE_STAGE_ALL_COMMANDS_BIT;
+  VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+  info.waitSemaphoreCount = 1;
+  info.pWaitSemaphores = &semaphore;
+  info.pWaitDstStageMask = &stage;
+  const std::lock_guard lock(queueMutex_);
+  device_.fn().vkQueueSubmit(device_.queue(), 1, &info, VK_NULL_HANDLE);
 }
 
 void Timeline::idle() {

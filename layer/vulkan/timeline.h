@@ -26,6 +26,8 @@ class Timeline {
   // device is lost or out of memory.
   uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal);
   VkResult present(const VkPresentInfoKHR& info);
+  // Makes a semaphore unsignaled that nobody else will wait for.
+  void consume(VkSemaphore semaphore);
   // Waits until the queue does nothing, presents included.
   void idle();
 
@@ -58,6 +60,8 @@ class Timeline {
   std::mutex queueMutex_;
   std::vector<FreshImage> fresh_;
   std::vector<VkImageMemoryBarrier> barriers_;
+  std::vector<VkSemaphore> waits_;
+  std::vector<VkPipelineStageFlags> waitStages_;
   std::mutex fenceMutex_;
   std::vector<Pending> pending_;  // the oldest first; few
   std::vector<std::shared_ptr<Fence>> idle_;

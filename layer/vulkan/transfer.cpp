@@ -197,8 +197,7 @@ bool VulkanContext::copyOnDevice(VulkanImage& image, const render::Region& regio
                               VK_IMAGE_LAYOUT_GENERAL, 1, &blit, VK_FILTER_NEAREST);
   commands_.read(heldReadable(from));
   commands_.write(image.held());
-  if (addsAlpha(image.format().conversion) && !addsAlpha(from.format().conversion))
-    image.alphaStale = true;
+  if (addsAlpha(image.format().conversion) && !addsAlpha(from.format().conversion)) image.alphaStale = true;
   return true;
 }
 

@@ -92,6 +92,7 @@ void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuf
   context.readFramebuffer = read == nullptr ? render::Framebuffer{} : *read;
   context.framebuffer = framebuffer == nullptr ? render::Framebuffer{} : *framebuffer;
 }
+void expireDefaultFramebuffer(Context&, void (*)(const egl::Binding&), const egl::Binding*) {}
 bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>& image, bool) {
   context.texture = image;
   return true;
