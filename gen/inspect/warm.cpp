@@ -58,7 +58,7 @@ Status warm(const Settings& settings, const std::string& preferred) {
 
   gen::ShaderCache::setProcessFile(settings.file);
   std::string error;
-  const auto device = vulkan::createDevice({preferred, false, false}, error);
+  const auto device = vulkan::createDevice({.preferred = preferred}, error);
   size_t made = 0;
   if (device) {
     std::vector<gen::PipelineRow> rows;

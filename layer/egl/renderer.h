@@ -13,7 +13,7 @@ struct RendererOptions {
   std::string device;       // ANTEROOM_DEVICE: part of a device's name, or an index
   bool validation = false;  // ANTEROOM_VALIDATION
   bool minimal = false;     // ANTEROOM_MINIMAL: as little of the device as a renderer can live with
-  std::optional<render::WindowSystem> windows;  // whose windows will be drawn to
+  std::optional<render::WindowSystem> windows = std::nullopt;  // whose windows will be drawn to
 };
 
 // Null: no device; `error` then says why and what to do.

@@ -95,7 +95,8 @@ EGLSurface refusePixmap(EGLDisplay dpy, const char* name = __builtin_FUNCTION())
       name);
 }
 
-// The images of the next picture tell its size and age. Not under the lock: it may wait for the window system.
+// The images of the next picture tell its size and age. Not under the lock: it may wait for the window
+// system.
 void renewWhereCurrent(const Surface& surface, EGLint attribute) {
   const Binding* binding = currentBinding();
   const bool current = binding != nullptr && binding->draw.get() == &surface;

@@ -18,7 +18,7 @@ struct DeviceOptions {
   std::string preferred;    // part of a device name, or an index; empty: the best there is
   bool validation = false;  // the Khronos layer; every message is logged, and counted
   bool minimal = false;     // pretend that the device has only Vulkan 1.1 and no optional extension
-  std::optional<render::WindowSystem> windows;  // whose windows will be drawn to
+  std::optional<render::WindowSystem> windows = std::nullopt;  // whose windows will be drawn to
 };
 
 // Null: no usable Vulkan device; `error` then says why and what to do.
