@@ -135,6 +135,8 @@ EGLint query(const Surface& surface, EGLint attribute) {
       return is.swapBehavior;
     case EGL_RENDER_BUFFER:
       return is.renderBuffer;
+    case EGL_PRESENT_OPAQUE_EXT:
+      return is.presentOpaque;
     case EGL_BUFFER_AGE_EXT:
       return surface.age();
     case EGL_HORIZONTAL_RESOLUTION:

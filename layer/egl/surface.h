@@ -25,7 +25,9 @@ struct SurfaceAttributes {
   EGLint mipmapLevel = 0;
   EGLint multisampleResolve = EGL_MULTISAMPLE_RESOLVE_DEFAULT;
   EGLint swapBehavior = EGL_BUFFER_DESTROYED;
-  EGLint renderBuffer = EGL_BACK_BUFFER;  // of windows: what was asked for
+  // Of windows.
+  EGLint renderBuffer = EGL_BACK_BUFFER;  // what was asked for
+  bool presentOpaque = false;             // EGL_EXT_present_opaque
 };
 
 // Attributes that all kinds of surfaces have. Throws EGL_BAD_ATTRIBUTE for others.

@@ -21,7 +21,10 @@ WindowSurface::WindowSurface(const Display& owner, std::shared_ptr<render::Devic
       window_(std::move(window)) {}
 
 bool WindowSurface::allocate() {
-  return framebuffer_.width != 0 || renew();
+  if (framebuffer_.width != 0) return true;
+  const bool allocated = renew();
+  expired_ = true;  // until something is drawn, the size may still become another
+  return allocated;
 }
 
 bool WindowSurface::renew() {
@@ -81,9 +84,17 @@ template <typename Integer>
 SurfaceAttributes parse(const Integer* list, const Config& config) {
   SurfaceAttributes attributes;
   forEachAttribute(list, [&](EGLint name, EGLAttrib value) {
-    if (name != EGL_RENDER_BUFFER) return setSurfaceAttribute(attributes, name, value);
-    require(value == EGL_BACK_BUFFER || value == EGL_SINGLE_BUFFER, EGL_BAD_ATTRIBUTE);
-    attributes.renderBuffer = static_cast<EGLint>(value);
+    switch (name) {
+      case EGL_RENDER_BUFFER:
+        require(value == EGL_BACK_BUFFER || value == EGL_SINGLE_BUFFER, EGL_BAD_ATTRIBUTE);
+        attributes.renderBuffer = static_cast<EGLint>(value);
+        break;
+      case EGL_PRESENT_OPAQUE_EXT:
+        attributes.presentOpaque = toBoolean(value);
+        break;
+      default:
+        setSurfaceAttribute(attributes, name, value);
+    }
   });
   requireMatch(attributes, config);
   return attributes;
@@ -106,7 +117,8 @@ EGLSurface createWindow(EGLDisplay dpy, EGLConfig handle, const Integer* list, F
         desc.native = native->handle();
         desc.format = colorFormat(config, attributes);
         desc.samples = std::max(1, config.samples);
-        desc.translucent = native->isTranslucent() && render::info(desc.format).alpha != 0;
+        desc.translucent =
+            native->isTranslucent() && !attributes.presentOpaque && render::info(desc.format).alpha != 0;
         auto window = display.device()->createWindow(desc);
         require(window != nullptr, render::isSrgb(desc.format) ? EGL_BAD_MATCH : EGL_BAD_ALLOC);
         return display.surfaces.add(std::make_shared<WindowSurface>(

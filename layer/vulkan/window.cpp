@@ -162,7 +162,7 @@ VkResult VulkanWindow::renewSwapchain() {
 
 // Brings the swapchain up to date and acquires an image of it.
 VkResult VulkanWindow::acquireImage() {
-  if (swapchain_ && suspect_) {
+  if (swapchain_ && (suspect_ || swapchain_->acquired())) {
     VkSurfaceCapabilitiesKHR can;
     if (const VkResult result = capabilities(can); result != VK_SUCCESS) return result;
     suspect_ = false;
