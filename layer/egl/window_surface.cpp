@@ -29,7 +29,7 @@ bool WindowSurface::allocate() {
 
 bool WindowSurface::renew() {
   if (!native_->isThere()) window_->lose();
-  window_->setInterval(interval_);
+  window_->setInterval(native_->isPaced() ? 0 : interval_.load());
   window_->setPreserved(preserved_);
   EGLint width = 0, height = 0;
   if (native_->isSizedByProgram()) native_->size(width, height);
@@ -71,6 +71,10 @@ void WindowSurface::post(const Binding& binding, std::span<const render::Rect> d
     window_->lose();
   }
   window_->setPreserved(preserved_);
+  if (native_->isThere() && native_->isPaced()) {
+    gl::flush(context);
+    native_->pace(interval_);
+  }
   const render::Presented result = gl::present(context, *window_, damage);
   expired_ = true;
   gl::expireDefaultFramebuffer(context, renewSurfaces, &binding);

@@ -53,7 +53,7 @@ class VulkanDevice : public render::Device {
   std::unique_ptr<render::Context> createContext() override;
   std::unique_ptr<render::Window> createWindow(const render::WindowDesc& desc) override;
 
-  VkInstance instance() const { return instance_.handle; }
+  const Instance& instance() const { return instance_; }
   VkDevice handle() const { return handle_; }
   VkPhysicalDevice physical() const { return instance_.physical; }
   uint32_t queueFamily() const { return instance_.queueFamily; }

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <type_traits>
 #include <vector>
 
 namespace anteroom::vulkan {
@@ -124,6 +125,18 @@ bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std:
   return false;
 }
 
+void loadSurfaceFunctions(Instance& instance) {
+  const auto load = [&](const char* name, auto& function) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
+        vkGetInstanceProcAddr(instance.handle, name));
+  };
+  load("vkDestroySurfaceKHR", instance.surface.destroy);
+  load("vkGetPhysicalDeviceSurfaceSupportKHR", instance.surface.support);
+  load("vkGetPhysicalDeviceSurfaceCapabilitiesKHR", instance.surface.capabilities);
+  load("vkGetPhysicalDeviceSurfaceFormatsKHR", instance.surface.formats);
+  load("vkGetPhysicalDeviceSurfacePresentModesKHR", instance.surface.presentModes);
+}
+
 void createMessenger(Instance& instance) {
   VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   info.messageSeverity =
@@ -177,6 +190,7 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
     return false;
   }
   volkLoadInstanceOnly(instance.handle);
+  if (instance.surfaces) loadSurfaceFunctions(instance);
   if (validation) createMessenger(instance);
   if (choosePhysicalDevice(options.preferred, instance, error)) return true;
   destroyInstance(instance);

@@ -9,13 +9,24 @@
 
 namespace anteroom::vulkan {
 
+// Of VK_KHR_surface, for one instance: volk's own are those of the instance that was made last, which may
+// not have the extension.
+struct SurfaceFunctions {
+  PFN_vkDestroySurfaceKHR destroy = nullptr;
+  PFN_vkGetPhysicalDeviceSurfaceSupportKHR support = nullptr;
+  PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR capabilities = nullptr;
+  PFN_vkGetPhysicalDeviceSurfaceFormatsKHR formats = nullptr;
+  PFN_vkGetPhysicalDeviceSurfacePresentModesKHR presentModes = nullptr;
+};
+
 struct Instance {
   VkInstance handle = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
   VkPhysicalDevice physical = VK_NULL_HANDLE;
   uint32_t queueFamily = 0;  // graphics
   bool debugUtils = false;   // VK_EXT_debug_utils is on
-  bool surfaces = false;     // of the window system that was asked for
+  SurfaceFunctions surface;
+  bool surfaces = false;  // of the window system that was asked for
 };
 
 // Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:

@@ -61,7 +61,7 @@ std::unique_ptr<VulkanWindow> VulkanWindow::create(VulkanDevice& device, const r
 
 VulkanWindow::~VulkanWindow() {
   swapchain_.reset();
-  vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
+  if (surface_) device_.instance().surface.destroy(device_.instance().handle, surface_, nullptr);
 }
 
 bool VulkanWindow::createSurface() {
@@ -71,36 +71,36 @@ bool VulkanWindow::createSurface() {
     info.connection = static_cast<xcb_connection_t*>(native.connection);
     info.window = native.id;
     const auto create =
-        instanceFunction<PFN_vkCreateXcbSurfaceKHR>(device_.instance(), "vkCreateXcbSurfaceKHR");
-    return create && create(device_.instance(), &info, nullptr, &surface_) == VK_SUCCESS;
+        instanceFunction<PFN_vkCreateXcbSurfaceKHR>(device_.instance().handle, "vkCreateXcbSurfaceKHR");
+    return create && create(device_.instance().handle, &info, nullptr, &surface_) == VK_SUCCESS;
   }
   VkWaylandSurfaceCreateInfoKHR info{VK_STRUCTURE_TYPE_WAYLAND_SURFACE_CREATE_INFO_KHR};
   info.display = static_cast<wl_display*>(native.connection);
   info.surface = static_cast<wl_surface*>(native.surface);
   const auto create =
-      instanceFunction<PFN_vkCreateWaylandSurfaceKHR>(device_.instance(), "vkCreateWaylandSurfaceKHR");
-  return create && create(device_.instance(), &info, nullptr, &surface_) == VK_SUCCESS;
+      instanceFunction<PFN_vkCreateWaylandSurfaceKHR>(device_.instance().handle, "vkCreateWaylandSurfaceKHR");
+  return create && create(device_.instance().handle, &info, nullptr, &surface_) == VK_SUCCESS;
 }
 
 // The format, and what else does not depend on the size.
 bool VulkanWindow::choose() {
   const VkPhysicalDevice physical = device_.physical();
+  const SurfaceFunctions& fn = device_.instance().surface;
   VkBool32 supported = VK_FALSE;
   VkSurfaceCapabilitiesKHR can;
-  if (vkGetPhysicalDeviceSurfaceSupportKHR(physical, device_.queueFamily(), surface_, &supported) !=
-          VK_SUCCESS ||
-      !supported || capabilities(can) != VK_SUCCESS)
+  if (fn.support(physical, device_.queueFamily(), surface_, &supported) != VK_SUCCESS || !supported ||
+      capabilities(can) != VK_SUCCESS)
     return false;
   if ((can.supportedUsageFlags & kSwapchainUsage) != kSwapchainUsage) return false;
 
   uint32_t count = 0;
-  vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface_, &count, nullptr);
+  fn.presentModes(physical, surface_, &count, nullptr);
   modes_.resize(count);
-  vkGetPhysicalDeviceSurfacePresentModesKHR(physical, surface_, &count, modes_.data());
+  fn.presentModes(physical, surface_, &count, modes_.data());
 
-  vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface_, &count, nullptr);
+  fn.formats(physical, surface_, &count, nullptr);
   std::vector<VkSurfaceFormatKHR> formats(count);
-  vkGetPhysicalDeviceSurfaceFormatsKHR(physical, surface_, &count, formats.data());
+  fn.formats(physical, surface_, &count, formats.data());
   format_ = device_.format(desc_.format);
   for (const WindowFormat& candidate : kWindowFormats) {
     if (candidate.srgb != render::isSrgb(desc_.format)) continue;
@@ -117,7 +117,7 @@ bool VulkanWindow::choose() {
 }
 
 VkResult VulkanWindow::capabilities(VkSurfaceCapabilitiesKHR& out) const {
-  return vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_.physical(), surface_, &out);
+  return device_.instance().surface.capabilities(device_.physical(), surface_, &out);
 }
 
 bool VulkanWindow::hasMode(VkPresentModeKHR mode) const {
