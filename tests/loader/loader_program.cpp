@@ -1,6 +1,7 @@
 // Ends as its argument says, with a context current. Draws, so that there is something to leave behind.
 #include <EGL/egl.h>
 #include <GLES/gl.h>
+#include <dlfcn.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -42,9 +43,23 @@ struct AtStaticDestruction {
   }
 } atStaticDestruction;
 
+bool isLoaded(const char* library) {
+  return dlopen(library, RTLD_NOLOAD | RTLD_NOW) != nullptr;
+}
+
+// What every vendor of glvnd is asked, and what only the one that is used.
+bool loadsLate() {
+  if (eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS) == nullptr || !eglBindAPI(EGL_OPENGL_ES_API))
+    return false;
+  if (!eglReleaseThread() || eglGetError() != EGL_SUCCESS) return false;
+  if (isLoaded("libanteroom.so.0") || !isLoaded("libEGL_anteroom.so.0")) return false;
+  return makeCurrent() && isLoaded("libanteroom.so.0");
+}
+
 int run(const char* how) {
   const auto is = [=](const char* name) { return std::strcmp(how, name) == 0; };
   if (is("no-display")) return eglGetDisplay(EGL_DEFAULT_DISPLAY) == EGL_NO_DISPLAY ? 0 : 1;
+  if (is("loads-late")) return loadsLate() ? 0 : 1;
   if (is("atexit")) std::atexit(cleanUp);
   atStaticDestruction.armed = is("static-destructor");
   if (is("exit-in-thread")) {

@@ -2,6 +2,7 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <set>
@@ -63,6 +64,34 @@ TEST(Loader, GlesExportsWhatProgramsCanAskFor) {
   }
   EXPECT_GE(found, 145u) << "the core commands and glPointSizePointerOES";
   dlclose(egl);
+}
+
+TEST(Loader, LinkNamesAreWhatIsThere) {
+  EXPECT_EQ(exportsOf(LINK_NAMES), exportsOf(LIBRARIES "/libanteroom.so.0"));
+}
+
+// By whatever names it is asked for.
+TEST(Loader, TheImplementationIsThereOnce) {
+  void* byGlesName = dlopen(kGles.c_str(), RTLD_NOW | RTLD_LOCAL);
+  void* byItsName = dlopen(LIBRARIES "/libanteroom.so.0", RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(byGlesName, nullptr) << dlerror();
+  EXPECT_EQ(byGlesName, byItsName);
+  void* egl = dlopen(kEgl.c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(egl, nullptr) << dlerror();
+  EXPECT_EQ(dlsym(egl, "glClear"), dlsym(byItsName, "glClear"));
+  dlclose(egl);
+  dlclose(byItsName);
+  dlclose(byGlesName);
+}
+
+// Beside another vendor that is used, glvnd's programs get no more of us than the vendor library.
+TEST(Loader, VendorLoadsTheImplementationLate) {
+  if (access(VENDOR_FILE, R_OK) != 0) GTEST_SKIP() << "built without glvnd";
+  const Outcome outcome =
+      run("LD_LIBRARY_PATH=" SYSTEM_LIBRARIES " __EGL_VENDOR_LIBRARY_FILENAMES=" VENDOR_FILE
+          " EGL_PLATFORM=surfaceless " PROGRAM " loads-late");
+  EXPECT_EQ(outcome.status, 0) << outcome.output;
+  EXPECT_EQ(outcome.output, "");
 }
 
 TEST(Loader, OpensAndClosesAHundredTimes) {
