@@ -1,11 +1,12 @@
 // Section 3.3.
 #include "layer/egl/display.h"
+#include "layer/egl/eglanteroom.h"
 #include "layer/egl/errors.h"
 
 namespace anteroom::egl {
 namespace {
 
-constexpr const char* kVersion = "1.5 Anteroom";
+constexpr const char* kVersion = "1.5 Anteroom " ANTEROOM_VERSION;
 
 constexpr const char* kClientExtensions =
 #define ANTEROOM_CLIENT_EXTENSION(name, purpose) "EGL_" #name " "
@@ -35,7 +36,7 @@ const char* clientString(EGLint name) {
   }
 }
 
-const char* displayString(EGLint name) {
+const char* displayString(const render::Origin& origin, EGLint name) {
   switch (name) {
     case EGL_CLIENT_APIS:
       return "OpenGL_ES";
@@ -45,6 +46,14 @@ const char* displayString(EGLint name) {
       return "Anteroom";
     case EGL_VERSION:
       return kVersion;
+    case EGL_DEVICES_ANTEROOM:
+      return origin.devices.c_str();
+    case EGL_DEVICE_CHOICE_ANTEROOM:
+      return origin.choice.c_str();
+    case EGL_DRIVER_ANTEROOM:
+      return origin.driver.c_str();
+    case EGL_SHADER_CACHE_ANTEROOM:
+      return origin.cache.c_str();
     default:
       return nullptr;
   }
@@ -59,8 +68,8 @@ const char* EGLAPIENTRY eglQueryString(EGLDisplay dpy, EGLint name) {
   return command<const char*>(nullptr, [&](Lock&) {
     const char* found = dpy == EGL_NO_DISPLAY ? clientString(name) : nullptr;
     if (found != nullptr) return found;
-    initializedDisplay(dpy);
-    found = displayString(name);
+    const Display& display = initializedDisplay(dpy);
+    found = displayString(display.device()->caps().origin, name);
     require(found != nullptr, EGL_BAD_PARAMETER);
     return found;
   });

@@ -80,9 +80,17 @@ struct Stats {
   uint64_t bytesUploaded = 0;
 };
 
+// What a renderer tells of itself, in words, for people who ask.
+struct Origin {
+  std::string devices;  // those that it found, one a line, and what became of each
+  std::string choice;   // why it took the one it has
+  std::string driver;   // its name and version
+  std::string cache;    // the file of compiled shaders, or why there is none
+};
+
 struct Caps {
   std::string deviceName;  // goes into GL_RENDERER
-  std::string driverName;
+  Origin origin;
   gen::Profile profile;
   int maxTextureSize = 2048;
   int maxCubeMapSize = 2048;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "gen/cache/location.h"
 #include "layer/vulkan/buffer.h"
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/driver_cache.h"
@@ -34,6 +35,16 @@ void keepPages() {
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
 #endif
+}
+
+std::string driverText(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
+  // Core since Vulkan 1.2. Before, drivers write their versions as they like.
+  if (properties.apiVersion < VK_API_VERSION_1_2)
+    return "version " + std::to_string(properties.driverVersion);
+  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
+  vkGetPhysicalDeviceProperties2(physical, &all);
+  return std::string(driver.driverName) + ", " + driver.driverInfo;
 }
 
 }  // namespace
@@ -114,9 +125,13 @@ int VulkanDevice::commonSamples() const {
 void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   caps_.deviceName = properties.deviceName;
   caps_.isCpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-  caps_.driverName = "Vulkan " + std::to_string(VK_API_VERSION_MAJOR(properties.apiVersion)) + "." +
-                     std::to_string(VK_API_VERSION_MINOR(properties.apiVersion)) + "." +
-                     std::to_string(VK_API_VERSION_PATCH(properties.apiVersion));
+  caps_.origin.devices = instance_.devices;
+  caps_.origin.choice = instance_.choice;
+  caps_.origin.driver = driverText(instance_.physical, properties);
+  const gen::CacheLocation cache = gen::cacheLocation();
+  caps_.origin.cache = !cache.file.empty()    ? cache.file.string()
+                       : cache.reason.empty() ? "none: switched off"
+                                              : "none: " + cache.reason;
   caps_.profile.clipDistance = features_.clipDistance && limits_.maxClipDistances >= gen::kMaxClipPlanes;
   caps_.profile.largePoints = features_.largePoints;
   caps_.profile.mirrorClampToEdge = features_.mirrorClampToEdge;

@@ -94,35 +94,94 @@ bool graphicsFamily(VkPhysicalDevice physical, uint32_t& family) {
   return false;
 }
 
-bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std::string& error) {
-  uint32_t count = 0;
-  vkEnumeratePhysicalDevices(instance.handle, &count, nullptr);
-  std::vector<VkPhysicalDevice> devices(count);
-  vkEnumeratePhysicalDevices(instance.handle, &count, devices.data());
-  const bool byIndex = !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
-  int best = -1;
-  std::string names;
-  for (uint32_t i = 0; i < count; ++i) {
-    VkPhysicalDeviceProperties properties;
-    vkGetPhysicalDeviceProperties(devices[i], &properties);
-    names += (names.empty() ? "" : ", ") + std::string(properties.deviceName);
-    uint32_t family;
-    if (properties.apiVersion < VK_API_VERSION_1_1 || !graphicsFamily(devices[i], family)) continue;
-    if (byIndex ? preferred != std::to_string(i) : !std::strstr(properties.deviceName, preferred.c_str()))
-      continue;
-    if (preference(properties.deviceType) <= best) continue;
-    best = preference(properties.deviceType);
-    instance.physical = devices[i];
-    instance.queueFamily = family;
+const char* typeName(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "CPU";
+    default:
+      return "of no known type";
   }
-  if (best >= 0) return true;
-  if (count == 0)
+}
+
+struct Candidate {
+  VkPhysicalDevice physical;
+  VkPhysicalDeviceProperties properties;
+  uint32_t queueFamily = 0;
+  const char* fault = nullptr;  // why it cannot be taken
+
+  std::string text(size_t index) const {
+    const uint32_t version = properties.apiVersion;
+    return std::to_string(index) + ": " + properties.deviceName + ", " + typeName(properties.deviceType) +
+           ", Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+           std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+  }
+};
+
+std::vector<Candidate> findCandidates(VkInstance instance, const std::string& preferred, bool byIndex) {
+  uint32_t count = 0;
+  vkEnumeratePhysicalDevices(instance, &count, nullptr);
+  std::vector<VkPhysicalDevice> devices(count);
+  vkEnumeratePhysicalDevices(instance, &count, devices.data());
+  std::vector<Candidate> candidates;
+  for (VkPhysicalDevice device : devices) {
+    Candidate candidate{device, {}};
+    vkGetPhysicalDeviceProperties(device, &candidate.properties);
+    if (candidate.properties.apiVersion < VK_API_VERSION_1_1)
+      candidate.fault = "not Vulkan 1.1";
+    else if (!graphicsFamily(device, candidate.queueFamily))
+      candidate.fault = "cannot draw";
+    else if (byIndex ? preferred != std::to_string(candidates.size())
+                     : !std::strstr(candidate.properties.deviceName, preferred.c_str()))
+      candidate.fault = "not what ANTEROOM_DEVICE asks for";
+    candidates.push_back(candidate);
+  }
+  return candidates;
+}
+
+bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std::string& error) {
+  const bool byIndex = !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
+  const std::vector<Candidate> candidates = findCandidates(instance.handle, preferred, byIndex);
+  const auto rank = [](const Candidate& candidate) {
+    return candidate.fault ? -1 : preference(candidate.properties.deviceType);
+  };
+  const auto best = std::max_element(candidates.begin(), candidates.end(),
+                                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+  if (best == candidates.end()) {
     error = "no Vulkan device: install a Vulkan driver, such as Mesa's lavapipe (mesa-vulkan-drivers)";
-  else
+    return false;
+  }
+  size_t usable = 0;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const Candidate& candidate = candidates[i];
+    if (!candidate.fault) ++usable;
+    instance.devices += (i == 0 ? "" : "\n") + candidate.text(i) + ": " +
+                        (candidate.fault                 ? candidate.fault
+                         : &candidate == &*best          ? "chosen"
+                         : rank(candidate) < rank(*best) ? "of a kind that comes later"
+                                                         : "as good, but listed later");
+  }
+  if (usable == 0) {
     error = "no Vulkan 1.1 device with graphics" +
-            (preferred.empty() ? std::string() : " matches ANTEROOM_DEVICE=" + preferred) +
-            "; there are: " + names;
-  return false;
+            (preferred.empty() ? std::string() : " matches ANTEROOM_DEVICE=" + preferred) + "; there are:\n" +
+            instance.devices;
+    return false;
+  }
+  instance.physical = best->physical;
+  instance.queueFamily = best->queueFamily;
+  instance.choice = preferred.empty() ? "" : "ANTEROOM_DEVICE=" + preferred;
+  if (usable > 1)
+    instance.choice += (preferred.empty() ? "" : ", and of those that match it ") +
+                       std::string("discrete GPUs come first, then integrated ones, virtual ones, CPUs");
+  else if (preferred.empty())
+    instance.choice = "no other can be used";
+  return true;
 }
 
 void loadSurfaceFunctions(Instance& instance) {

@@ -20,6 +20,7 @@ struct SurfaceFunctions {
 };
 
 struct Instance {
+  std::string devices, choice;  // of render::Origin
   VkInstance handle = VK_NULL_HANDLE;
   VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
   VkPhysicalDevice physical = VK_NULL_HANDLE;

@@ -12,7 +12,7 @@ class ReferenceDevice final : public render::Device {
  public:
   ReferenceDevice() {
     caps_.deviceName = "float64 reference";
-    caps_.driverName = "Anteroom reference";
+    caps_.origin.driver = "Anteroom reference";
     caps_.maxTextureSize = 4096;
     caps_.maxCubeMapSize = 4096;
     caps_.maxViewport[0] = caps_.maxViewport[1] = 4096;
