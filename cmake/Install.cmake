@@ -10,6 +10,7 @@ install(FILES ${PROJECT_BINARY_DIR}/AnteroomConfig.cmake ${PROJECT_BINARY_DIR}/A
   DESTINATION ${config} COMPONENT development)
 
 file(RELATIVE_PATH PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" PREFIX ${PREFIX})
 configure_file(cmake/anteroom.pc.in anteroom.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/anteroom.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 

@@ -102,7 +102,7 @@ void Display::initialize() {
   std::optional<render::WindowSystem> windows;
   if (system != nullptr) windows = system->name();
   std::string error;
-  std::shared_ptr<render::Device> device = createDevice(windows, error);
+  std::shared_ptr<render::Device> device = findDevice(windows, error);
   if (device == nullptr) {
     log(error.c_str());
     throw Error{EGL_NOT_INITIALIZED};

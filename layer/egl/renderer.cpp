@@ -34,13 +34,6 @@ std::string names() {
   return list;
 }
 
-}  // namespace
-
-bool addRenderer(const char* name, CreateDevice create) {
-  renderers().push_back({name, create});
-  return true;
-}
-
 std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem> windows,
                                              std::string& error) {
   const std::string wanted = variable("ANTEROOM_RENDERER");
@@ -51,6 +44,38 @@ std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem>
   }
   error = "ANTEROOM_RENDERER=" + wanted + ": no such renderer is built in; choose from: " + names();
   return nullptr;
+}
+
+// What decides which device createDevice makes, and how.
+std::string settings() {
+  std::string all;
+  for (const char* name : {"ANTEROOM_RENDERER", "ANTEROOM_DEVICE", "ANTEROOM_VALIDATION", "ANTEROOM_MINIMAL"})
+    all += variable(name) + '\n';
+  return all;
+}
+
+struct Latest {
+  std::string settings;
+  std::optional<render::WindowSystem> windows;
+  std::weak_ptr<render::Device> device;
+};
+
+}  // namespace
+
+bool addRenderer(const char* name, CreateDevice create) {
+  renderers().push_back({name, create});
+  return true;
+}
+
+std::shared_ptr<render::Device> findDevice(std::optional<render::WindowSystem> windows, std::string& error) {
+  static auto& latest = *new Latest;
+  std::string wanted = settings();
+  std::shared_ptr<render::Device> device = latest.device.lock();
+  const bool fits = !windows || windows == latest.windows;
+  if (device != nullptr && fits && latest.settings == wanted) return device;
+  device = createDevice(windows, error);
+  if (device != nullptr) latest = {std::move(wanted), windows, device};
+  return device;
 }
 
 }  // namespace anteroom::egl

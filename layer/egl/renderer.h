@@ -23,7 +23,8 @@ using CreateDevice = std::unique_ptr<render::Device> (*)(const RendererOptions& 
 // whoever links renderers in (layer/loader, tests).
 bool addRenderer(const char* name, CreateDevice create);
 
-// The device that the environment asks for. Null: none, `error` says why.
-std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem> windows, std::string& error);
+// The device that the environment asks for, by which the window system's windows can be drawn to: the one
+// that another display has, if it is that. Null: none, `error` says why. Called under EGL's lock.
+std::shared_ptr<render::Device> findDevice(std::optional<render::WindowSystem> windows, std::string& error);
 
 }  // namespace anteroom::egl

@@ -264,16 +264,22 @@ std::shared_ptr<render::Image> VulkanDevice::createImage(const render::ImageDesc
       desc.width > limit || desc.height > limit || desc.depth > limit || desc.levels < 1 ||
       desc.samples > caps_.maxSamples)
     return nullptr;
+  workAhead();
   return std::make_shared<VulkanImage>(*this, desc);
 }
 
 std::shared_ptr<render::Buffer> VulkanDevice::createBuffer(size_t size, const void* data) {
+  workAhead();
   return VulkanBuffer::create(*this, size, data);
 }
 
-std::unique_ptr<render::Context> VulkanDevice::createContext() {
+void VulkanDevice::workAhead() {
+  if (workingAhead_.exchange(true, std::memory_order_relaxed)) return;
   ShaderLibrary::warmUp();
   warmUp_->start();
+}
+
+std::unique_ptr<render::Context> VulkanDevice::createContext() {
   auto context = std::make_unique<VulkanContext>(*this);
   if (!context->initialise()) return nullptr;
   return context;

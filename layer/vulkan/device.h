@@ -98,6 +98,9 @@ class VulkanDevice : public render::Device {
 
  private:
   VulkanDevice() = default;
+  // Whoever makes an image or a buffer will draw, unlike programs that ask what there is: time to make what
+  // that usually needs.
+  void workAhead();
   bool initialise(const DeviceOptions& options, std::string& error);
   bool createLayouts();
   bool growConstantSets();
@@ -114,6 +117,7 @@ class VulkanDevice : public render::Device {
   render::Caps caps_;
   StoreFormats formats_;
   std::atomic<uint64_t> objects_{0}, memoryAllocations_{0};
+  std::atomic<bool> workingAhead_{false};
 
   VkDescriptorSetLayout setLayouts_[3]{};
   VkPipelineLayout pipelineLayout_ = VK_NULL_HANDLE;

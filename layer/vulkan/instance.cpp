@@ -1,5 +1,7 @@
 #include "layer/vulkan/instance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
@@ -18,6 +20,9 @@ std::atomic<unsigned> messageCount{0};
 // glslang decorates gl_Position, a member of gl_PerVertex, as SPIR-V allows; some versions of the layer warn
 // of it.
 constexpr const char* kFalseAlarms[] = {"Decoration not allowed on struct members: SpvDecorationInvariant"};
+
+constexpr const char* kNoDriver =
+    "no Vulkan device: install a Vulkan driver, such as Mesa's lavapipe (mesa-vulkan-drivers)";
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                          VkDebugUtilsMessageTypeFlagsEXT,
@@ -115,12 +120,16 @@ struct Candidate {
   uint32_t queueFamily = 0;
   const char* fault = nullptr;  // why it cannot be taken
 
-  std::string text(size_t index) const {
+  int rank() const { return fault ? -1 : preference(properties.deviceType); }
+  std::string text(size_t index, const Candidate& chosen) const {
+    const char* const fate = fault                    ? fault
+                             : this == &chosen        ? "chosen"
+                             : rank() < chosen.rank() ? "of a kind that comes later"
+                                                      : "as good, but listed later";
     const uint32_t version = properties.apiVersion;
-    return std::to_string(index) + ": " + properties.deviceName + ", " + typeName(properties.deviceType) +
-           ", Vulkan " + std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
-           std::to_string(VK_API_VERSION_MINOR(version)) + "." +
-           std::to_string(VK_API_VERSION_PATCH(version));
+    return fmt::format("{}: {}, {}, Vulkan {}.{}.{}: {}", index, properties.deviceName,
+                       typeName(properties.deviceType), VK_API_VERSION_MAJOR(version),
+                       VK_API_VERSION_MINOR(version), VK_API_VERSION_PATCH(version), fate);
   }
 };
 
@@ -145,42 +154,37 @@ std::vector<Candidate> findCandidates(VkInstance instance, const std::string& pr
   return candidates;
 }
 
+std::string choiceText(const std::string& preferred, size_t usable) {
+  constexpr const char* order = "discrete GPUs come first, then integrated ones, virtual ones, CPUs";
+  if (preferred.empty()) return usable > 1 ? order : "no other can be used";
+  std::string text = "ANTEROOM_DEVICE=" + preferred;
+  if (usable > 1) text.append("; of those that match it ").append(order);
+  return text;
+}
+
 bool choosePhysicalDevice(const std::string& preferred, Instance& instance, std::string& error) {
   const bool byIndex = !preferred.empty() && preferred.find_first_not_of("0123456789") == std::string::npos;
   const std::vector<Candidate> candidates = findCandidates(instance.handle, preferred, byIndex);
-  const auto rank = [](const Candidate& candidate) {
-    return candidate.fault ? -1 : preference(candidate.properties.deviceType);
-  };
   const auto best = std::max_element(candidates.begin(), candidates.end(),
-                                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+                                     [](const auto& a, const auto& b) { return a.rank() < b.rank(); });
   if (best == candidates.end()) {
-    error = "no Vulkan device: install a Vulkan driver, such as Mesa's lavapipe (mesa-vulkan-drivers)";
+    error = kNoDriver;
     return false;
   }
   size_t usable = 0;
-  for (size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate& candidate = candidates[i];
+  for (const Candidate& candidate : candidates) {
+    const auto index = static_cast<size_t>(&candidate - candidates.data());
+    instance.devices.append(index == 0 ? "" : "\n").append(candidate.text(index, *best));
     if (!candidate.fault) ++usable;
-    instance.devices += (i == 0 ? "" : "\n") + candidate.text(i) + ": " +
-                        (candidate.fault                 ? candidate.fault
-                         : &candidate == &*best          ? "chosen"
-                         : rank(candidate) < rank(*best) ? "of a kind that comes later"
-                                                         : "as good, but listed later");
   }
   if (usable == 0) {
-    error = "no Vulkan 1.1 device with graphics" +
-            (preferred.empty() ? std::string() : " matches ANTEROOM_DEVICE=" + preferred) + "; there are:\n" +
-            instance.devices;
+    error = fmt::format("no Vulkan 1.1 device with graphics{}; there are:\n{}",
+                        preferred.empty() ? "" : " matches ANTEROOM_DEVICE=" + preferred, instance.devices);
     return false;
   }
   instance.physical = best->physical;
   instance.queueFamily = best->queueFamily;
-  instance.choice = preferred.empty() ? "" : "ANTEROOM_DEVICE=" + preferred;
-  if (usable > 1)
-    instance.choice += (preferred.empty() ? "" : ", and of those that match it ") +
-                       std::string("discrete GPUs come first, then integrated ones, virtual ones, CPUs");
-  else if (preferred.empty())
-    instance.choice = "no other can be used";
+  instance.choice = choiceText(preferred, usable);
   return true;
 }
 
@@ -245,7 +249,9 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
   info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
   info.ppEnabledExtensionNames = extensions.data();
   if (VkResult result = vkCreateInstance(&info, nullptr, &instance.handle); result != VK_SUCCESS) {
-    error = "vkCreateInstance failed with " + std::to_string(result) + ": check the Vulkan driver";
+    error = result == VK_ERROR_INCOMPATIBLE_DRIVER
+                ? kNoDriver
+                : "vkCreateInstance failed with " + std::to_string(result) + ": check the Vulkan driver";
     return false;
   }
   volkLoadInstanceOnly(instance.handle);

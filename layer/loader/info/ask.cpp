@@ -110,7 +110,8 @@ class Platforms {
     if (display == EGL_NO_DISPLAY) return;
     for (size_t i = 0; i < displays_.size(); ++i)
       if (displays_[i] == display) return facts_.platforms[i].names.emplace_back(name), void();
-    if (!eglInitialize(display, nullptr, nullptr)) return;
+    if (std::find(failed_.begin(), failed_.end(), display) != failed_.end()) return;
+    if (!eglInitialize(display, nullptr, nullptr)) return failed_.push_back(display);
     displays_.push_back(display);
     facts_.platforms.push_back({{name},
                                 text(eglQueryString(display, EGL_VENDOR)),
@@ -127,7 +128,7 @@ class Platforms {
 
  private:
   Facts& facts_;
-  std::vector<EGLDisplay> displays_;
+  std::vector<EGLDisplay> displays_, failed_;
 };
 
 EGLDeviceEXT firstDevice() {
