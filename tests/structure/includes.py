@@ -37,6 +37,7 @@ RULES = {
     "layer/loader": (["layer", "gen"], [VULKAN, r"GLFW/", PICTURES, TESTING]),
     "demos": (["demos"], [VULKAN, TESTING]),
     "tests/conformance": (["tests/conformance"], [VULKAN]),
+    "tests/windows": (["tests/windows", "tests/egl/egl_fixture.h"], [VULKAN]),
     "tests/bench": (["tests/bench", "tests/process"], [VULKAN]),
     "tests/compare": (["tests/compare", "tests/process"], [VULKAN]),
     "tests/bench/counting_layer": ([], [GL_API]),
