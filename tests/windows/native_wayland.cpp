@@ -7,10 +7,12 @@
 #include <wayland-egl.h>
 #include <xdg-shell-client-protocol.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string_view>
+#include <thread>
 
 #include "native.h"
 
@@ -127,6 +129,16 @@ class WaylandDisplay final : public NativeDisplay {
     wl_surface_damage_buffer(base_.get(), 0, 0, size_.width, size_.height);
     commitBase();
     roundtrip();
+    // Weston does not repaint for the first frame of a subsurface, whose frame callback would then never
+    // come.
+    repaints_ = std::jthread([this](const std::stop_token& stop) {
+      while (!stop.stop_requested()) {
+        wl_surface_damage_buffer(base_.get(), 0, 0, 1, 1);
+        commitBase();
+        wl_display_flush(display_.get());
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    });
   }
 
   static WaylandDisplay& self(void* data) { return *static_cast<WaylandDisplay*>(data); }
@@ -199,6 +211,7 @@ class WaylandDisplay final : public NativeDisplay {
   Owned<wl_surface, wl_surface_destroy> base_;
   Owned<xdg_surface, xdg_surface_destroy> baseXdg_;
   Owned<xdg_toplevel, xdg_toplevel_destroy> baseToplevel_;
+  std::jthread repaints_;
 };
 
 class WaylandWindow final : public NativeWindow {

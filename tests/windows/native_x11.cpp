@@ -64,7 +64,8 @@ class X11Display final : public NativeDisplay {
     screen_ = screens.data;
     for (auto depths = xcb_screen_allowed_depths_iterator(screen_); depths.rem; xcb_depth_next(&depths))
       for (auto visuals = xcb_depth_visuals_iterator(depths.data); visuals.rem; xcb_visualtype_next(&visuals))
-        if (const auto& v = *visuals.data; v._class == XCB_VISUAL_CLASS_TRUE_COLOR)
+        if (const auto& v = *visuals.data;
+            v._class == XCB_VISUAL_CLASS_TRUE_COLOR || v._class == XCB_VISUAL_CLASS_DIRECT_COLOR)
           visuals_.push_back({v.visual_id, v.red_mask, v.green_mask, v.blue_mask, depths.data->depth});
   }
 
