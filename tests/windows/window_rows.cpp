@@ -1,5 +1,6 @@
 // Windows may keep their rows in another order than pbuffers do. Whatever depends on y must not show it: each
 // row of the table draws the same into both, and the window's screen shows what was read from it.
+#include <algorithm>
 #include <functional>
 
 #include "window_fixture.h"
@@ -48,6 +49,8 @@ GLuint makeTexture() {
   glBindTexture(GL_TEXTURE_2D, texture);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
   glEnable(GL_TEXTURE_2D);
   return texture;
@@ -108,12 +111,13 @@ void drawSprites() {
   glDeleteTextures(1, &texture);
 }
 
+// Ends are no pixel's centre: which of two pixels such an end belongs to is the driver's (3.4.1).
 void drawLines() {
   usePixels();
   glColor4f(1, 1, 0, 1);
-  drawVertices(GL_LINES, {2.5f, 3.5f, 60.5f, 3.5f, 5.5f, 6.5f, 5.5f, 40.5f, 10.3f, 8.4f, 50.8f, 20.1f});
+  drawVertices(GL_LINES, {2.2f, 3.4f, 60.3f, 3.6f, 5.4f, 6.3f, 5.6f, 40.2f, 10.3f, 8.4f, 50.8f, 20.1f});
   glLineWidth(3);
-  drawVertices(GL_LINES, {2.5f, 44.5f, 60.5f, 44.5f});
+  drawVertices(GL_LINES, {2.2f, 42.4f, 60.3f, 42.6f});
   glLineWidth(1);
 }
 
@@ -305,6 +309,26 @@ void drawScene(const Scene& scene) {
   glDisable(GL_SCISSOR_TEST);
 }
 
+// Samples do not lie alike above and below a pixel's centre: on edges the color is one between those around.
+Image withEdgesOf(const Image& drawn, const Image& expected) {
+  Image result = expected;
+  for (int y = 0; y < expected.height; ++y) {
+    for (int x = 0; x < expected.width; ++x) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::uint8_t least = 255, most = 0;
+        for (int row = std::max(y - 1, 0); row <= std::min(y + 1, expected.height - 1); ++row) {
+          for (int column = std::max(x - 1, 0); column <= std::min(x + 1, expected.width - 1); ++column) {
+            least = std::min(least, expected.at(column, row)[i]);
+            most = std::max(most, expected.at(column, row)[i]);
+          }
+        }
+        result.at(x, y)[i] = std::clamp(drawn.at(x, y)[i], least, most);
+      }
+    }
+  }
+  return result;
+}
+
 class WindowRows : public WindowTest {};
 ON_ALL_PLATFORMS(WindowRows);
 
@@ -330,7 +354,7 @@ TEST_P(WindowRows, AsInPbuffers) {
       drawScene(scene);
       const Image drawn = readPixels(0, 0, kWidth, kHeight);
       EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
-      EXPECT_TRUE(same(drawn, expected, 1));
+      EXPECT_TRUE(same(drawn, samples > 0 ? withEdgesOf(drawn, expected) : expected, 1));
       EXPECT_TRUE(swap(window));
       EXPECT_TRUE(shows(*window.native, drawn));
     }
