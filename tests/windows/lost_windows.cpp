@@ -1,0 +1,315 @@
+// EGL 1.5 section 3.10.4 and common sense: windows that are destroyed and connections that are closed, at any
+// time.
+#include <dirent.h>
+
+#include <fstream>
+
+#include "window_fixture.h"
+
+namespace windows {
+namespace {
+
+std::size_t openFiles() {
+  std::size_t count = 0;
+  DIR* const folder = opendir("/proc/self/fd");
+  while (readdir(folder)) ++count;
+  closedir(folder);
+  return count;
+}
+
+// Memory that is shared with the server, of either kind.
+std::size_t sharedMaps() {
+  std::ifstream maps("/proc/self/maps");
+  std::size_t count = 0;
+  for (std::string line; std::getline(maps, line);)
+    count += line.find("SYSV") != line.npos || line.find("memfd") != line.npos ||
+             line.find("/shm/") != line.npos || line.find("/dev/zero") != line.npos;
+  return count;
+}
+
+class LostWindows : public WindowTest {
+ protected:
+  // The window is gone: an error, or a picture that nobody sees.
+  void swapLost(const Target& target) {
+    if (swap(target)) return;
+    const EGLint error = eglGetError();
+    EXPECT_EQ(egl_conformance::errorName(error), "BAD_NATIVE_WINDOW");
+  }
+  void drawLost(const Target& target) {
+    for (int frame = 0; frame < 4; ++frame) {
+      drawPicture(64, 48, frame);
+      glColor4f(1, 1, 1, 1);
+      drawRect(3, 3, 9, 9, 0, 64, 48);
+      readPixels(0, 0, 64, 48);
+      swapLost(target);
+    }
+    EXPECT_GT(query(target, EGL_WIDTH), 0);
+    EXPECT_GT(query(target, EGL_HEIGHT), 0);
+    EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
+  }
+};
+ON_ALL_PLATFORMS(LostWindows);
+
+#define MESA_SPEAKS_TO_LOST_WINDOWS \
+  if (!onWayland()) MESA_DISAGREES("3.10.4", "X errors reach the program")
+
+TEST_P(LostWindows, WhileDrawing) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  Target& target = openCurrent();
+  ASSERT_TRUE(drawsAndShows(target));
+  drawPicture(64, 48, 1);
+  target.native->destroy();
+  drawLost(target);
+}
+
+TEST_P(LostWindows, AfterTheSwap) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  Target& target = openCurrent();
+  ASSERT_TRUE(drawsAndShows(target));
+  target.native->destroy();
+  drawLost(target);
+}
+
+TEST_P(LostWindows, BeforeTheFirstFrame) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  if (onWayland()) MESA_DISAGREES("3.10.4", "it crashes");
+  const EGLConfig config = windowConfig();
+  Target& target = open(config);
+  target.native->destroy();
+  if (makeCurrent(target, context(config))) {
+    drawLost(target);
+  } else {
+    EXPECT_EGL_ERROR(EGL_BAD_NATIVE_WINDOW);
+  }
+}
+
+// A thread that is elsewhere comes back.
+TEST_P(LostWindows, WhileNotCurrent) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  Target& target = openCurrent();
+  ASSERT_TRUE(drawsAndShows(target));
+  const EGLContext own = eglGetCurrentContext();
+  Target& other = open(windowConfig(), {.x = 100});
+  ASSERT_TRUE(makeCurrent(other, own));
+  target.native->destroy();
+  EXPECT_TRUE(drawsAndShows(other, 2));
+  if (makeCurrent(target, own)) {
+    drawLost(target);
+  } else {
+    EXPECT_EGL_ERROR(EGL_BAD_NATIVE_WINDOW);
+  }
+  ASSERT_TRUE(makeCurrent(other, own));
+  EXPECT_TRUE(drawsAndShows(other, 3));
+}
+
+// The surface, current until later, before its window and after it.
+TEST_P(LostWindows, SurfaceDestroyedWhileCurrent) {
+  Target& target = openCurrent();
+  ASSERT_TRUE(drawsAndShows(target));
+  EXPECT_TRUE(eglDestroySurface(display_, target.surface));
+  target.surface = EGL_NO_SURFACE;
+  drawPicture(64, 48, 1);
+  EXPECT_TRUE(same(readPixels(0, 0, 64, 48), picture(64, 48, 1)));
+  target.native->destroy();
+  drawPicture(64, 48, 2);
+  glFinish();
+}
+
+TEST_P(LostWindows, WithPreservedContents) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  Target& target = openCurrent();
+  if (!eglSurfaceAttrib(display_, target.surface, EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED)) {
+    eglGetError();
+    GTEST_SKIP() << "nothing preserves";
+  }
+  ASSERT_TRUE(drawsAndShows(target));
+  target.native->destroy();
+  drawLost(target);
+}
+
+TEST_P(LostWindows, FollowedByOthers) {
+  const EGLConfig config = windowConfig();
+  const EGLContext own = context(config);
+  std::size_t files = 0, maps = 0;
+  for (int i = 0; i < 50; ++i) {
+    Target target;
+    target.native = native().createWindow(fitting(config));
+    target.surface = eglCreatePlatformWindowSurface(display_, config, target.native->pointer(), nullptr);
+    ASSERT_NE(target.surface, EGL_NO_SURFACE) << i;
+    ASSERT_TRUE(makeCurrent(target, own));
+    eglSwapInterval(display_, 0);
+    for (int frame = 0; frame < 3; ++frame) {
+      drawPicture(64, 48, i);
+      ASSERT_TRUE(swap(target)) << i;
+    }
+    if (i % 10 == 0) {
+      EXPECT_TRUE(shows(*target.native, picture(64, 48, i))) << i;
+    }
+    if (i % 3 == 0) drawPicture(64, 48, i + 1);
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    EXPECT_TRUE(eglDestroySurface(display_, target.surface));
+    target.native.reset();
+    native().complaints();
+    if (i == 9) {
+      files = openFiles();
+      maps = sharedMaps();
+    }
+  }
+  EXPECT_LE(openFiles(), files);
+  EXPECT_LE(sharedMaps(), maps);
+}
+
+// The window goes first, each time.
+TEST_P(LostWindows, FollowedByOthersInTheWrongOrder) {
+  MESA_SPEAKS_TO_LOST_WINDOWS;
+  const EGLConfig config = windowConfig();
+  const EGLContext own = context(config);
+  std::size_t files = 0, maps = 0;
+  for (int i = 0; i < 20; ++i) {
+    Target target;
+    target.native = native().createWindow(fitting(config));
+    target.surface = eglCreatePlatformWindowSurface(display_, config, target.native->pointer(), nullptr);
+    ASSERT_NE(target.surface, EGL_NO_SURFACE) << i;
+    ASSERT_TRUE(makeCurrent(target, own));
+    eglSwapInterval(display_, 0);
+    for (int frame = 0; frame < 3; ++frame) {
+      drawPicture(64, 48, i);
+      ASSERT_TRUE(swap(target)) << i;
+    }
+    target.native->destroy();
+    if (i % 2) swapLost(target);
+    eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    EXPECT_TRUE(eglDestroySurface(display_, target.surface));
+    if (i == 9) {
+      files = openFiles();
+      maps = sharedMaps();
+    }
+  }
+  EXPECT_LE(openFiles(), files);
+  EXPECT_LE(sharedMaps(), maps);
+}
+
+// Displays of their own, closed in every order that a program can have in mind; each in a process of its own.
+class ClosedConnections : public testing::TestWithParam<Platform> {
+ protected:
+  void SetUp() override { GTEST_FLAG_SET(death_test_style, "threadsafe"); }
+
+  struct Program {
+    explicit Program(Platform platform)
+        : native(NativeDisplay::open(platform)),
+          egl(eglGetPlatformDisplay(eglPlatform(platform), native->handle(), nullptr)) {
+      eglInitialize(egl, nullptr, nullptr);
+      const EGLint attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_ES_BIT, EGL_RED_SIZE, 8, EGL_NONE};
+      EGLint count = 0;
+      eglChooseConfig(egl, attributes, &config, 1, &count);
+      EGLint visual = 0;
+      eglGetConfigAttrib(egl, config, EGL_NATIVE_VISUAL_ID, &visual);
+      window = native->createWindow({.visual = std::uint32_t(visual)});
+      surface = eglCreatePlatformWindowSurface(egl, config, window->pointer(), nullptr);
+      context = eglCreateContext(egl, config, EGL_NO_CONTEXT, nullptr);
+      if (!eglMakeCurrent(egl, surface, surface, context)) std::exit(3);
+      for (int frame = 0; frame < 3; ++frame) {
+        drawPicture(64, 48, frame);
+        if (!eglSwapBuffers(egl, surface)) std::exit(4);
+      }
+    }
+    void release() { eglMakeCurrent(egl, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+    std::unique_ptr<NativeDisplay> native;
+    EGLDisplay egl;
+    EGLConfig config = nullptr;
+    std::unique_ptr<NativeWindow> window;
+    EGLSurface surface = EGL_NO_SURFACE;
+    EGLContext context = EGL_NO_CONTEXT;
+  };
+};
+ON_ALL_PLATFORMS(ClosedConnections);
+
+TEST_P(ClosedConnections, InGoodOrder) {
+  EXPECT_EXIT(
+      {
+        Program program(GetParam());
+        program.release();
+        eglDestroySurface(program.egl, program.surface);
+        eglDestroyContext(program.egl, program.context);
+        eglTerminate(program.egl);
+        program.window.reset();
+        program.native.reset();
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST_P(ClosedConnections, TerminatedWhileCurrent) {
+  EXPECT_EXIT(
+      {
+        Program program(GetParam());
+        eglTerminate(program.egl);
+        drawPicture(64, 48);
+        glFinish();
+        program.release();
+        eglReleaseThread();
+        program.window.reset();
+        program.native.reset();
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST_P(ClosedConnections, WindowBeforeTerminate) {
+  EXPECT_EXIT(
+      {
+        Program program(GetParam());
+        program.window->destroy();
+        program.release();
+        eglTerminate(program.egl);
+        program.window.reset();
+        program.native.reset();
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+// Programs that are done just leave.
+TEST_P(ClosedConnections, ExitWithEverythingOpen) {
+  EXPECT_EXIT(
+      {
+        [[maybe_unused]] static Program program(GetParam());
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+TEST_P(ClosedConnections, ExitWithoutTerminate) {
+  EXPECT_EXIT(
+      {
+        Program program(GetParam());
+        program.release();
+        eglDestroySurface(program.egl, program.surface);
+        program.window.reset();
+        program.native.reset();
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+// Again on the same connection, and on another that may have the first one's address.
+TEST_P(ClosedConnections, OpenedAgain) {
+  EXPECT_EXIT(
+      {
+        for (int times = 0; times < 3; ++times) {
+          Program program(GetParam());
+          program.release();
+          eglTerminate(program.egl);
+          if (!eglInitialize(program.egl, nullptr, nullptr)) std::exit(5);
+          eglTerminate(program.egl);
+          program.window.reset();
+          program.native.reset();
+        }
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+}  // namespace
+}  // namespace windows
