@@ -50,11 +50,7 @@ class LostWindows : public WindowTest {
 };
 ON_ALL_PLATFORMS(LostWindows);
 
-#define MESA_SPEAKS_TO_LOST_WINDOWS \
-  if (!onWayland()) MESA_DISAGREES("3.10.4", "X errors reach the program")
-
 TEST_P(LostWindows, WhileDrawing) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
   Target& target = openCurrent();
   ASSERT_TRUE(drawsAndShows(target));
   drawPicture(64, 48, 1);
@@ -63,7 +59,6 @@ TEST_P(LostWindows, WhileDrawing) {
 }
 
 TEST_P(LostWindows, AfterTheSwap) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
   Target& target = openCurrent();
   ASSERT_TRUE(drawsAndShows(target));
   target.native->destroy();
@@ -71,8 +66,6 @@ TEST_P(LostWindows, AfterTheSwap) {
 }
 
 TEST_P(LostWindows, BeforeTheFirstFrame) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
-  if (onWayland()) MESA_DISAGREES("3.10.4", "it crashes");
   const EGLConfig config = windowConfig();
   Target& target = open(config);
   target.native->destroy();
@@ -85,7 +78,6 @@ TEST_P(LostWindows, BeforeTheFirstFrame) {
 
 // A thread that is elsewhere comes back.
 TEST_P(LostWindows, WhileNotCurrent) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
   Target& target = openCurrent();
   ASSERT_TRUE(drawsAndShows(target));
   const EGLContext own = eglGetCurrentContext();
@@ -116,7 +108,6 @@ TEST_P(LostWindows, SurfaceDestroyedWhileCurrent) {
 }
 
 TEST_P(LostWindows, WithPreservedContents) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
   Target& target = openCurrent();
   if (!eglSurfaceAttrib(display_, target.surface, EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED)) {
     eglGetError();
@@ -161,7 +152,6 @@ TEST_P(LostWindows, FollowedByOthers) {
 
 // The window goes first, each time.
 TEST_P(LostWindows, FollowedByOthersInTheWrongOrder) {
-  MESA_SPEAKS_TO_LOST_WINDOWS;
   const EGLConfig config = windowConfig();
   const EGLContext own = context(config);
   std::size_t files = 0, maps = 0;
