@@ -66,9 +66,9 @@ TEST_P(WindowPictures, EveryConfig) {
     ASSERT_TRUE(makeCurrent(target, own));
     drawLayers(config, 64, 48);
     const Image expected = layers(config, 64, 48);
-    EXPECT_TRUE(same(readPixels(0, 0, 64, 48), expected));
-    EXPECT_TRUE(swap(target));
-    EXPECT_TRUE(shows(*target.native, expected));
+    ASSERT_TRUE(same(readPixels(0, 0, 64, 48), expected));
+    ASSERT_TRUE(swap(target));
+    ASSERT_TRUE(shows(*target.native, expected));
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     close(target);
   }
