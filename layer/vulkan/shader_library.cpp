@@ -1,5 +1,6 @@
 #include "layer/vulkan/shader_library.h"
 
+#include <malloc.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -19,7 +20,11 @@ class WarmUp {
  public:
   WarmUp()
       : thread_(gen::quietThread([&cache = gen::ShaderCache::process()] {
-          if (!cache.filled()) gen::warmCompiler();
+          if (cache.filled()) return;
+          gen::warmCompiler();
+#ifdef __GLIBC__
+          malloc_trim(0);  // the compiler's tables leave more behind than they keep
+#endif
         })) {}
   ~WarmUp() {
     if (!thread_.joinable()) return;

@@ -138,16 +138,21 @@ EGLDeviceEXT firstDevice() {
   return query != nullptr && query(1, &device, &count) && count > 0 ? device : nullptr;
 }
 
+bool isSet(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
 void openPlatforms(Platforms& platforms) {
   platforms.add("default", eglGetDisplay(EGL_DEFAULT_DISPLAY));
   platforms.add("surfaceless", "EGL_MESA_platform_surfaceless", EGL_PLATFORM_SURFACELESS_MESA);
   if (EGLDeviceEXT device = firstDevice(); device != nullptr)
     platforms.add("device", "EGL_EXT_platform_device", EGL_PLATFORM_DEVICE_EXT, device);
-  if (std::getenv("DISPLAY") != nullptr) {
+  if (isSet("DISPLAY")) {
     platforms.add("x11", "EGL_EXT_platform_x11", EGL_PLATFORM_X11_EXT);
     platforms.add("xcb", "EGL_EXT_platform_xcb", EGL_PLATFORM_XCB_EXT);
   }
-  if (std::getenv("WAYLAND_DISPLAY") != nullptr)
+  if (isSet("WAYLAND_DISPLAY"))
     platforms.add("wayland", "EGL_EXT_platform_wayland", EGL_PLATFORM_WAYLAND_EXT);
 }
 
