@@ -67,7 +67,6 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
       options(contextOptions),
       debugOutput(contextOptions.debug),
       debug(std::make_unique<DebugOutput>()) {
-  ++group->contexts;
   updateListener(*this);
   const render::Caps& caps = device.caps();
   rendererName = "Anteroom on " + caps.deviceName;
@@ -85,6 +84,9 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
   fixed.points.sizeMax = std::max(caps.pointSizeRange[1], caps.smoothPointSizeRange[1]);
   fixed.points.deviceMin = caps.pointSizeRange[0];
   fixed.points.deviceMax = caps.pointSizeRange[1];
+
+  ++group->contexts;  // nothing throws any more
+  group->awaitCommand();
 }
 
 VertexArrays initialVertexArrays() {

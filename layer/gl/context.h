@@ -40,10 +40,13 @@ struct FenceObject;  // fences.h
 // Held, after the group's own, by who uses images of several groups (OES_EGL_image).
 extern std::mutex sharedImagesMutex;
 
-// Textures and buffers of contexts that share. A context alone in its group pays nothing for the lock.
+// Textures and buffers of contexts that share. A context alone in its group takes no lock.
 class ShareGroup {
  public:
   explicit ShareGroup(render::Device& d) : device(d) {}
+
+  // After `contexts` was raised: the command that a context, alone until then, is in without the lock ends.
+  void awaitCommand() const;
 
   render::Device& device;
   ObjectTable<Texture> textures;
@@ -62,6 +65,7 @@ class ShareGroup {
   int mappedBuffers = 0;  // how many buffer objects are mapped
 
   std::atomic<int> contexts{0};
+  std::atomic<bool> inCommand{false};  // the only context is, without the lock
   std::mutex mutex;
   // Whether it ever had an EGLImage's sibling. Changes while nobody but the one who changes it is in a
   // command of the group.
@@ -70,21 +74,36 @@ class ShareGroup {
 
 class ShareLock {
  public:
-  explicit ShareLock(ShareGroup& group)
-      : mutex_(group.contexts.load(std::memory_order_acquire) > 1 ? &group.mutex : nullptr) {
-    if (mutex_) mutex_->lock();
+  explicit ShareLock(ShareGroup& group) : group_(group), locked_(!enterAlone(group)) {
+    if (locked_) group.mutex.lock();
     images_ = group.sharesImages.load(std::memory_order_acquire);
     if (images_) sharedImagesMutex.lock();
   }
   ~ShareLock() {
     if (images_) sharedImagesMutex.unlock();
-    if (mutex_) mutex_->unlock();
+    if (locked_)
+      group_.mutex.unlock();
+    else
+      group_.inCommand.store(false, std::memory_order_release);
   }
   ShareLock(const ShareLock&) = delete;
   ShareLock& operator=(const ShareLock&) = delete;
 
  private:
-  std::mutex* mutex_;
+  // Two plain stores a command. Who makes a second context has all threads of the process see things in one
+  // order (ShareGroup::awaitCommand), so that none is needed here.
+  static bool enterAlone(ShareGroup& group) {
+    if (group.contexts.load(std::memory_order_acquire) > 1) return false;
+    group.inCommand.store(true, std::memory_order_relaxed);
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    if (group.contexts.load(std::memory_order_acquire) <= 1) [[likely]]
+      return true;
+    group.inCommand.store(false, std::memory_order_release);
+    return false;
+  }
+
+  ShareGroup& group_;
+  const bool locked_;
   bool images_;
 };
 
