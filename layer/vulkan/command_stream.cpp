@@ -74,6 +74,7 @@ void CommandStream::hold(const std::shared_ptr<BufferStore>& store) {
 void CommandStream::hold(const std::shared_ptr<ImageStore>& store) {
   if (store->recording == recordingId_) return;
   store->recording = recordingId_;
+  store->lastRecording = std::max(store->lastRecording, recordingId_);
   slots_[slot_].images.push_back(store);
 }
 
@@ -131,7 +132,7 @@ uint64_t CommandStream::submit(VkSemaphore signal) {
   recording_ = false;
   recordingId_ = nextNumber.fetch_add(1, std::memory_order_relaxed);  // nothing is bound any more
   if (fn.vkEndCommandBuffer(slot.main) == VK_SUCCESS)
-    slot.serial = device_.timeline().submit(slot.fresh, slot.main, signal);
+    slot.serial = device_.timeline().submit(slot.fresh, slot.main, signal, slot.images);
   else
     slot.serial = 0;
   if (slot.serial == 0) {

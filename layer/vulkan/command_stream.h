@@ -4,6 +4,7 @@
 
 #include <volk.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -33,20 +34,21 @@ class CommandStream {
   void hold(const std::shared_ptr<ImageStore>& store);
   void read(const std::shared_ptr<ImageStore>& store) {
     hold(store);
-    store->readEpoch = epoch_;
+    store->readEpoch = std::max(store->readEpoch, epoch_);
   }
   void write(const std::shared_ptr<ImageStore>& store) {
     hold(store);
-    store->writeEpoch = epoch_;
-    store->writtenIn = recordingId_;
+    store->writeEpoch = std::max(store->writeEpoch, epoch_);
     store->written = true;
     ++store->version;
   }
-  bool mustWaitToRead(const ImageStore& store) const { return recording_ && store.writeEpoch == epoch_; }
+  // Where contexts share an image, the epoch may be another one's that began later: also since then, then.
+  bool mustWaitToRead(const ImageStore& store) const { return recording_ && store.writeEpoch >= epoch_; }
   bool mustWaitToWrite(const ImageStore& store) const {
-    return recording_ && (store.writeEpoch == epoch_ || store.readEpoch == epoch_);
+    return recording_ && (store.writeEpoch >= epoch_ || store.readEpoch >= epoch_);
   }
-  bool writes(const ImageStore& store) const { return recording_ && store.writtenIn == recordingId_; }
+  // Whether the present recording may use it: true, too, when a younger one of another context does.
+  bool mayUse(const ImageStore& store) const { return recording_ && store.lastRecording >= recordingId_; }
 
   // What was recorded before is done, and visible, for what is recorded after. Not inside a pass.
   void barrier();

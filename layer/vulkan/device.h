@@ -34,6 +34,7 @@ inline constexpr uint32_t kPushRange = 128;
 
 // An image that no submission has touched yet, or not since the window system had it.
 struct FreshImage {
+  std::weak_ptr<ImageStore> store;
   VkImage image;
   VkImageAspectFlags aspects;
   VkImageLayout layout;

@@ -188,7 +188,7 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
   }
   const bool clear = !linear && format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT;
   if (!label_.empty()) device_.labels().name(store->image, label_);
-  device_.addFreshImage({store->image, store->aspects, info.initialLayout, clear});
+  device_.addFreshImage({store, store->image, store->aspects, info.initialLayout, clear});
   return store;
 }
 

@@ -68,10 +68,10 @@ struct ImageStore {
   std::vector<PartView> partViews;
   std::vector<LegacyFramebuffer> legacyFramebuffers;
 
-  uint64_t recording = 0;  // the last recording that holds it
-  uint64_t readEpoch = 0;  // when it was last read and written by recorded commands
+  uint64_t recording = 0;      // that came to hold it last
+  uint64_t lastRecording = 0;  // the youngest that ever held it
+  uint64_t readEpoch = 0;      // the youngest in which recorded commands read it, and write it
   uint64_t writeEpoch = 0;
-  uint64_t writtenIn = 0;            // the last recording that writes to it
   bool written = false;              // by the device, since it was last known idle
   std::atomic<uint64_t> lastUse{0};  // the last submission that uses it
 };

@@ -91,7 +91,7 @@ VkResult Swapchain::acquire() {
   // The semaphore of the image's last turn is at rest: the image would not be here otherwise.
   std::swap(images_[index].ready, spare_);
   const bool shown = images_[index].picture != 0;
-  device_.addFreshImage({images_[index].store->image, VK_IMAGE_ASPECT_COLOR_BIT,
+  device_.addFreshImage({images_[index].store, images_[index].store->image, VK_IMAGE_ASPECT_COLOR_BIT,
                          shown ? VK_IMAGE_LAYOUT_PRESENT_SRC_KHR : VK_IMAGE_LAYOUT_UNDEFINED, !shown,
                          images_[index].ready});
   return result;

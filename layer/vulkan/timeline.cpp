@@ -1,6 +1,7 @@
 #include "layer/vulkan/timeline.h"
 
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/image.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -59,11 +60,18 @@ void Timeline::retireFences() {
   }
 }
 
-bool Timeline::recordFreshImages(VkCommandBuffer commands) {
+bool Timeline::recordFreshImages(VkCommandBuffer commands, std::vector<std::shared_ptr<ImageStore>>& held) {
   fresh_.clear();
   waits_.clear();
   waitStages_.clear();
   device_.takeFreshImages(fresh_);
+  // Another thread may be destroying one.
+  std::erase_if(fresh_, [&](const FreshImage& image) {
+    std::shared_ptr<ImageStore> store = image.store.lock();
+    if (!store) return true;
+    held.push_back(std::move(store));
+    return false;
+  });
   if (fresh_.empty()) return false;
   const auto& fn = device_.fn();
   VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
@@ -96,11 +104,12 @@ bool Timeline::recordFreshImages(VkCommandBuffer commands) {
   return true;
 }
 
-uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal) {
+uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal,
+                          std::vector<std::shared_ptr<ImageStore>>& held) {
   const std::lock_guard lock(queueMutex_);
   VkCommandBuffer buffers[2];
   VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-  if (recordFreshImages(fresh)) buffers[info.commandBufferCount++] = fresh;
+  if (recordFreshImages(fresh, held)) buffers[info.commandBufferCount++] = fresh;
   buffers[info.commandBufferCount++] = main;
   info.pCommandBuffers = buffers;
   info.waitSemaphoreCount = static_cast<uint32_t>(waits_.size());

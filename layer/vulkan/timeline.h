@@ -13,6 +13,7 @@ namespace anteroom::vulkan {
 
 class VulkanDevice;
 struct FreshImage;
+struct ImageStore;
 
 // Thread-safe. A timeline semaphore, or a fence a submission where there are none.
 class Timeline {
@@ -22,9 +23,10 @@ class Timeline {
   bool initialise();
 
   // Submits `main`. The first layouts of new images are recorded into `fresh` before, which is left out when
-  // there are none. `signal`: a semaphore that is signaled, too, unless null. Returns the number; 0: the
-  // device is lost or out of memory.
-  uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal);
+  // there are none; `held` then gets these images, to be held until the submission is complete. `signal`: a
+  // semaphore that is signaled, too, unless null. Returns the number; 0: the device is lost or out of memory.
+  uint64_t submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal,
+                  std::vector<std::shared_ptr<ImageStore>>& held);
   VkResult present(const VkPresentInfoKHR& info);
   // Makes a semaphore unsignaled that nobody else will wait for.
   void consume(VkSemaphore semaphore);
@@ -49,7 +51,7 @@ class Timeline {
     std::shared_ptr<Fence> fence;
   };
 
-  bool recordFreshImages(VkCommandBuffer commands);
+  bool recordFreshImages(VkCommandBuffer commands, std::vector<std::shared_ptr<ImageStore>>& held);
   std::shared_ptr<Fence> takeFence();
   void retireFences();
 

@@ -33,7 +33,7 @@ void VulkanContext::leavePass(ImageStore& store, bool write) {
 }
 
 bool VulkanContext::waitFor(const ImageStore& store) {
-  if (store.recording == commands_.recordingId() && !submit()) return false;
+  if (commands_.mayUse(store) && !submit()) return false;
   return device_.timeline().wait(store.lastUse.load(std::memory_order_relaxed), UINT64_MAX);
 }
 
