@@ -39,42 +39,43 @@ void DriverCache::load() {
   handle_.store(made, std::memory_order_release);
 }
 
-// Adds what the file holds by now.
-void DriverCache::merge(VkPipelineCache cache) {
-  const std::vector<std::byte> data = gen::readDriverBlob(folder_ / name_);
-  if (!madeBy(data, properties_)) return;
+// A cache that holds what the file does by now, and what this device made. Others use `own` meanwhile: only
+// what is merged into must be left alone (vkMergePipelineCaches).
+VkPipelineCache DriverCache::mergedWith(VkPipelineCache own) {
+  std::vector<std::byte> data = gen::readDriverBlob(folder_ / name_);
+  if (!madeBy(data, properties_)) data.clear();
   VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
   info.initialDataSize = data.size();
   info.pInitialData = data.data();
-  VkPipelineCache others = VK_NULL_HANDLE;
+  VkPipelineCache merged = VK_NULL_HANDLE;
   const auto& fn = device_.fn();
-  if (fn.vkCreatePipelineCache(device_.handle(), &info, nullptr, &others) != VK_SUCCESS) return;
-  fn.vkMergePipelineCaches(device_.handle(), cache, 1, &others);
-  fn.vkDestroyPipelineCache(device_.handle(), others, nullptr);
+  if (fn.vkCreatePipelineCache(device_.handle(), &info, nullptr, &merged) != VK_SUCCESS)
+    return VK_NULL_HANDLE;
+  fn.vkMergePipelineCaches(device_.handle(), merged, 1, &own);
+  return merged;
 }
 
 void DriverCache::save() {
   const std::lock_guard lock(mutex_);
-  const VkPipelineCache cache = handle();
   const uint64_t created = device_.pipelines().created();
-  if (!cache || created == saved_) return;
+  if (!handle() || created == saved_) return;
   saved_ = created;
   const auto& fn = device_.fn();
   size_t size = 0;
-  if (fn.vkGetPipelineCacheData(device_.handle(), cache, &size, nullptr) != VK_SUCCESS ||
+  if (fn.vkGetPipelineCacheData(device_.handle(), handle(), &size, nullptr) != VK_SUCCESS ||
       size <= sizeof(VkPipelineCacheHeaderVersionOne))
     return;
-  merge(cache);
+  const VkPipelineCache merged = mergedWith(handle());
+  if (!merged) return;
   std::vector<std::byte> data;
-  // Other threads may add to it meanwhile.
-  for (int i = 0; i < 3; ++i) {
-    if (fn.vkGetPipelineCacheData(device_.handle(), cache, &size, nullptr) != VK_SUCCESS) return;
+  if (fn.vkGetPipelineCacheData(device_.handle(), merged, &size, nullptr) == VK_SUCCESS) {
     data.resize(size);
-    if (fn.vkGetPipelineCacheData(device_.handle(), cache, &size, data.data()) != VK_SUCCESS) continue;
-    data.resize(size);
-    if (gen::writeDriverBlob(folder_ / name_, data)) gen::keepNewestBlobs(folder_, prefix_, kMostVersions);
-    return;
+    if (fn.vkGetPipelineCacheData(device_.handle(), merged, &size, data.data()) == VK_SUCCESS) {
+      data.resize(size);
+      if (gen::writeDriverBlob(folder_ / name_, data)) gen::keepNewestBlobs(folder_, prefix_, kMostVersions);
+    }
   }
+  fn.vkDestroyPipelineCache(device_.handle(), merged, nullptr);
 }
 
 }  // namespace anteroom::vulkan

@@ -33,7 +33,7 @@ class DriverCache {
   void save();
 
  private:
-  void merge(VkPipelineCache cache);
+  VkPipelineCache mergedWith(VkPipelineCache own);
 
   VulkanDevice& device_;
   std::mutex mutex_;
