@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <set>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -210,6 +212,23 @@ void createMessenger(Instance& instance) {
   vkCreateDebugUtilsMessengerEXT(instance.handle, &info, nullptr, &instance.messenger);
 }
 
+// The Vulkan loader's functions serve every instance. Other threads call them: they are looked up again only
+// for the sake of extensions that no instance had before.
+bool loadLoader() {
+  static bool loaded = false;
+  if (!loaded) loaded = volkInitialize() == VK_SUCCESS;
+  return loaded;
+}
+
+void loadFunctions(VkInstance instance, const VkInstanceCreateInfo& info) {
+  static bool loaded = false;
+  static auto& extensions = *new std::set<std::string>;  // never destroyed, like what may initialize last
+  for (uint32_t i = 0; i < info.enabledExtensionCount; ++i)
+    loaded &= !extensions.insert(info.ppEnabledExtensionNames[i]).second;
+  if (!loaded) volkLoadInstanceOnly(instance);
+  loaded = true;
+}
+
 }  // namespace
 
 DeviceLock::DeviceLock() {
@@ -224,7 +243,7 @@ unsigned validationMessages() {
 }
 
 bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error) {
-  if (volkInitialize() != VK_SUCCESS) {
+  if (!loadLoader()) {
     error = "no Vulkan loader: install libvulkan1";
     return false;
   }
@@ -254,7 +273,7 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
                 : "vkCreateInstance failed with " + std::to_string(result) + ": check the Vulkan driver";
     return false;
   }
-  volkLoadInstanceOnly(instance.handle);
+  loadFunctions(instance.handle, info);
   if (instance.surfaces) loadSurfaceFunctions(instance);
   if (validation) createMessenger(instance);
   if (choosePhysicalDevice(options.preferred, instance, error)) return true;
@@ -264,7 +283,6 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
 
 void destroyInstance(Instance& instance) {
   if (!instance.handle) return;
-  volkLoadInstanceOnly(instance.handle);
   if (instance.messenger) vkDestroyDebugUtilsMessengerEXT(instance.handle, instance.messenger, nullptr);
   vkDestroyInstance(instance.handle, nullptr);
   instance = {};

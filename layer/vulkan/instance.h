@@ -31,11 +31,11 @@ struct Instance {
 };
 
 // Vulkan 1.1 on the preferred device, else a discrete one, an integrated one, a virtual one, a CPU. False:
-// `error` says why and what to do. Instance functions are shared by the whole process: hold a DeviceLock.
+// `error` says why and what to do. Hold a DeviceLock.
 bool createInstance(const DeviceOptions& options, Instance& instance, std::string& error);
 void destroyInstance(Instance& instance);
 
-// Held while a device is made or destroyed: volk's instance functions are global.
+// Held while a device is made or destroyed: what loads functions is global.
 class DeviceLock {
  public:
   DeviceLock();
