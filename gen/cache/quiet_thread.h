@@ -5,6 +5,8 @@
 
 #include <system_error>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace anteroom::gen {
 
@@ -22,6 +24,13 @@ std::thread quietThread(Body body) {
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return thread;
+}
+
+// In a forked process, where the thread is not: its handle is dropped. To detach or to join it would look for
+// it in memory that is another's by now.
+inline void forget(std::thread& thread) {
+  static auto& forgotten = *new std::vector<std::thread>;
+  if (thread.joinable()) forgotten.push_back(std::move(thread));
 }
 
 }  // namespace anteroom::gen

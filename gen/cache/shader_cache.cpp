@@ -45,7 +45,7 @@ ShaderCache::ShaderCache(std::filesystem::path file, uint64_t limitBytes)
 
 ShaderCache::~ShaderCache() {
   close();
-  if (thread_.joinable()) thread_.detach();
+  gen::forget(thread_);
 }
 
 ShaderCache& ShaderCache::process() {

@@ -49,7 +49,7 @@ class ShaderCache {
   // waits for the file to be open, and reads it.
   std::vector<PipelineRow> usualPipelines();
   // Whether there may be a cache at all.
-  bool wanted() const { return !file_.empty(); }
+  bool wanted() const { return !file_.empty() && !foreignProcess(); }
   const std::filesystem::path& file() const { return file_; }
 
   // Until what was stored so far is written, or cannot be.

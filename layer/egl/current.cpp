@@ -1,6 +1,6 @@
 #include "layer/egl/current.h"
 
-#include <unistd.h>
+#include <pthread.h>
 
 #include <utility>
 
@@ -24,15 +24,21 @@ void release() {
   }
 }
 
-// A thread that ends with a current context gives it back.
-struct ThreadEnd {
-  ~ThreadEnd() {
-    // The process ends with its first thread: the context may be needed by functions registered with atexit.
-    if (thread.binding == nullptr || gettid() == getpid()) return;
-    const Lock lock(mutex());
-    release();
-  }
-};
+// A thread that ends with a current context gives it back. Other than a destructor of a thread_local this is
+// not called by exit: functions registered with atexit may still draw.
+void endThread(void*) {
+  const Lock lock(mutex());
+  release();
+}
+
+void watchEnd() {
+  struct Key {
+    pthread_key_t key;
+    bool made = pthread_key_create(&key, endThread) == 0;
+  };
+  static const Key end{};
+  if (end.made) pthread_setspecific(end.key, &thread);
+}
 
 // Throws EGL_BAD_ACCESS.
 template <typename Object>
@@ -63,8 +69,7 @@ Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EG
 }
 
 void bind(Binding next) {
-  thread_local ThreadEnd end;
-  static_cast<void>(end);
+  watchEnd();
   if (thread.binding != nullptr && *thread.binding == next) return gl::flush(*next.context->gl);
   auto binding = std::make_unique<Binding>(std::move(next));
   release();
@@ -72,7 +77,8 @@ void bind(Binding next) {
   useSurfaces(*binding);
   binding->context->thread = &thread;
   for (const auto& surface : {binding->draw, binding->read}) {
-    if (surface != nullptr) surface->thread = &thread;
+    if (surface == nullptr) continue;
+    surface->thread = &thread;
   }
   if (binding->draw != nullptr) binding->draw->drawnBy = binding->context;
   thread.binding = binding.release();
@@ -82,6 +88,11 @@ void bind(Binding next) {
 
 Thread& thisThread() {
   return thread;
+}
+
+void abandonBinding() {
+  thread.binding = nullptr;
+  gl::abandonContexts();
 }
 
 void useSurfaces(const Binding& binding) {

@@ -30,6 +30,9 @@ struct Thread {
 
 Thread& thisThread();
 
+// In a process that was forked: what is current belongs to the parent, and is not touched any more.
+void abandonBinding();
+
 // Tells GL of the binding's framebuffers.
 void useSurfaces(const Binding& binding);
 // Readies those that have expired.

@@ -1,9 +1,11 @@
 #include "layer/egl/display.h"
 
 #include <string>
+#include <utility>
 
 #include "layer/egl/attributes.h"
 #include "layer/egl/errors.h"
+#include "layer/egl/fork.h"
 #include "layer/egl/renderer.h"
 
 namespace anteroom::egl {
@@ -110,6 +112,7 @@ void Display::initialize() {
   configs_ = makeConfigs(device->caps(), device->caps().windows ? system.get() : nullptr);
   windowSystem_ = std::move(system);
   device_ = std::move(device);
+  watchForks();
 }
 
 void Display::terminate() {
@@ -121,6 +124,22 @@ void Display::terminate() {
   configs_.clear();
   device_.reset();
   windowSystem_.reset();
+}
+
+void Display::abandon() {
+  struct Remains {
+    Handles<Context> contexts;
+    Handles<Image> images;
+    Handles<Surface> surfaces;
+    Handles<Sync> syncs;
+    std::shared_ptr<render::Device> device;
+    std::shared_ptr<WindowSystem> windowSystem;  // to end its connection would end the parent's
+  };
+  static auto& all = *new std::vector<Remains>;
+  all.push_back({std::exchange(contexts, {}), std::exchange(images, {}), std::exchange(surfaces, {}),
+                 std::exchange(syncs, {}), std::exchange(device_, nullptr),
+                 std::exchange(windowSystem_, nullptr)});
+  configs_.clear();
 }
 
 const Config& Display::config(EGLConfig handle) const {
@@ -160,6 +179,12 @@ Display& initializedDisplay(EGLDisplay handle) {
   Display& display = displayOf(handle);
   require(display.initialized(), EGL_NOT_INITIALIZED);
   return display;
+}
+
+void abandonDisplays() {
+  for (const auto& display : displays()) {
+    if (display->initialized()) display->abandon();
+  }
 }
 
 bool isContextOfAnyDisplay(EGLContext handle) {

@@ -29,6 +29,8 @@ class Display {
   void initialize();
   // What is current somewhere lives on until it no longer is; its handles are invalid at once.
   void terminate();
+  // In a process that was forked: no longer initialized, and what there was stays untouched for good.
+  void abandon();
 
   const std::shared_ptr<render::Device>& device() const { return device_; }
   // Null: the platform has no windows.
@@ -56,6 +58,8 @@ class Display {
 Display& displayOf(EGLDisplay handle);
 // Throws EGL_NOT_INITIALIZED, too.
 Display& initializedDisplay(EGLDisplay handle);
+// abandon() of all.
+void abandonDisplays();
 // Whether any display has such a context.
 bool isContextOfAnyDisplay(EGLContext handle);
 

@@ -6,8 +6,22 @@
 
 namespace anteroom::egl {
 
-std::mutex& mutex() {
-  static std::mutex instance;
+void Mutex::lock() {
+  mutex_.lock();
+  owner_.store(&thisThread(), std::memory_order_relaxed);
+}
+
+void Mutex::unlock() {
+  owner_.store(nullptr, std::memory_order_relaxed);
+  mutex_.unlock();
+}
+
+bool Mutex::isMine() const {
+  return owner_.load(std::memory_order_relaxed) == &thisThread();
+}
+
+Mutex& mutex() {
+  static constinit Mutex instance;
   return instance;
 }
 

@@ -4,6 +4,7 @@
 
 #include <EGL/egl.h>
 
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -21,9 +22,20 @@ inline void require(bool condition, EGLint code) {
   if (!condition) throw Error{code};
 }
 
-// One lock guards every display and all that belongs to them.
-using Lock = std::unique_lock<std::mutex>;
-std::mutex& mutex();
+// One lock guards every display and all that belongs to them. It knows who has it, for a driver may fork in a
+// command.
+class Mutex {
+ public:
+  void lock();
+  void unlock();
+  bool isMine() const;
+
+ private:
+  std::mutex mutex_;
+  std::atomic<const void*> owner_{nullptr};  // a thread's Thread
+};
+using Lock = std::unique_lock<Mutex>;
+Mutex& mutex();
 
 // What eglGetError will return in this thread: a command has ended.
 void setError(EGLint code);

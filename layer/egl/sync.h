@@ -53,7 +53,7 @@ class ReusableSync final : public Sync {
   void set(bool signaled);
 
  private:
-  std::condition_variable changed_;
+  std::condition_variable_any changed_;
   bool signaled_ = false;
   uint64_t signals_ = 0;  // how often it became signaled: each releases who waits, even when it lasts no time
 };

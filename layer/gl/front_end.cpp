@@ -62,6 +62,11 @@ void makeCurrent(Context* context) {
   currentContextOfThread = context;
 }
 
+void abandonContexts() {
+  currentContextOfThread = nullptr;
+  new (&sharedImagesMutex) std::mutex;  // another thread of the parent may have it
+}
+
 void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
                            const render::Framebuffer* read) {
   c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};

@@ -42,6 +42,10 @@ Context* currentContext();
 // context is flushed when it changes.
 void makeCurrent(Context* context);
 
+// In a process that was forked, before anything else there: no thread has a context, and those of the parent
+// are not touched any more.
+void abandonContexts();
+
 // The window-system framebuffer that name 0 means; null: none (EGL_KHR_surfaceless_context). At the first
 // call with a framebuffer in a context's life, viewport and scissor take its size (sections 2.10.1, 4.1.2).
 // It is copied; the bits that queries such as RED_BITS give come from its images. `read` (null: the same) is

@@ -11,6 +11,7 @@
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/driver_cache.h"
 #include "layer/vulkan/image.h"
+#include "layer/vulkan/no_fork.h"
 #include "layer/vulkan/pass.h"
 #include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/pipeline_warm_up.h"
@@ -54,6 +55,8 @@ std::unique_ptr<render::Device> createDevice(const DeviceOptions& options, std::
 }
 
 std::unique_ptr<VulkanDevice> VulkanDevice::create(const DeviceOptions& options, std::string& error) {
+  NoFork::watch();
+  NoFork::prepareChild();
   std::unique_ptr<VulkanDevice> device(new VulkanDevice);
   if (!device->initialise(options, error)) return nullptr;
   return device;

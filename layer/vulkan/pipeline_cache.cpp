@@ -9,6 +9,7 @@
 #include "gen/cache/shader_cache.h"
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/driver_cache.h"
+#include "layer/vulkan/no_fork.h"
 #include "layer/vulkan/pipeline_words.h"
 #include "layer/vulkan/shader_library.h"
 
@@ -232,6 +233,7 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
 }
 
 bool PipelineCache::create(const PipelineKey& key, const Shader& vertex, const Shader& fragment, Made& made) {
+  const NoFork noFork;
   const auto start = std::chrono::steady_clock::now();
   made.pipeline = create(key, vertex, fragment);
   const auto time = std::chrono::steady_clock::now() - start;

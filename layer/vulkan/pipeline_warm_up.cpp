@@ -163,8 +163,7 @@ void PipelineWarmUp::stop() {
   if (!started_) return;
   stopping_ = true;
   if (getpid() != process_) {
-    // Forked: the thread is not here.
-    if (thread_.joinable()) thread_.detach();
+    gen::forget(thread_);
     return;
   }
   if (thread_.joinable()) thread_.join();

@@ -11,6 +11,7 @@
 #include "gen/cache/quiet_thread.h"
 #include "gen/cache/shader_cache.h"
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/no_fork.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -21,18 +22,17 @@ class WarmUp {
   WarmUp()
       : thread_(gen::quietThread([&cache = gen::ShaderCache::process()] {
           if (cache.filled()) return;
+          const NoFork noFork;
           gen::warmCompiler();
 #ifdef __GLIBC__
           malloc_trim(0);  // the compiler's tables leave more behind than they keep
 #endif
         })) {}
   ~WarmUp() {
-    if (!thread_.joinable()) return;
-    // A forked process has not got the thread.
-    if (getpid() == process_)
+    if (getpid() != process_)
+      gen::forget(thread_);
+    else if (thread_.joinable())
       thread_.join();
-    else
-      thread_.detach();
   }
 
  private:
@@ -62,6 +62,7 @@ void ShaderLibrary::warmUp() {
 std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes key) {
   ++compiled_;
   const auto start = std::chrono::steady_clock::now();
+  const NoFork noFork;
   std::string glsl = gen::emit(kind, key);
   gen::CompileResult result = gen::compile(gen::stageOf(kind), glsl);
   const auto time = std::chrono::steady_clock::now() - start;

@@ -103,6 +103,10 @@ void releaseTexImage(Context& context, const std::shared_ptr<render::Image>& ima
 ShareStatus shareImage(Context&, const ImageSource&, std::shared_ptr<SharedImage>&) {
   return ShareStatus::NoSource;
 }
+void shareImages(Context&) {}
+
+void abandonContexts() {}
+
 bool hasCompany(const Context&) {
   return false;
 }
