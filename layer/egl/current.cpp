@@ -79,6 +79,7 @@ void bind(Binding next) {
   for (const auto& surface : {binding->draw, binding->read}) {
     if (surface == nullptr) continue;
     surface->thread = &thread;
+    if (surface->isTexture()) gl::shareImages(*binding->context->gl);
   }
   if (binding->draw != nullptr) binding->draw->drawnBy = binding->context;
   thread.binding = binding.release();

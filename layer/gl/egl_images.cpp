@@ -74,6 +74,10 @@ void shareImages(ShareGroup& group) {
   group.sharesImages.store(true, std::memory_order_release);
 }
 
+void shareImages(Context& c) {
+  shareImages(*c.group);
+}
+
 ShareStatus shareImage(Context& c, const ImageSource& source, std::shared_ptr<SharedImage>& image) {
   shareImages(*c.group);
   ShareLock lock(*c.group);

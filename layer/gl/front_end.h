@@ -83,6 +83,9 @@ enum class ShareStatus : uint8_t {
   OutOfMemory,
 };
 ShareStatus shareImage(Context& context, const ImageSource& source, std::shared_ptr<SharedImage>& image);
+// Other share groups' commands may use images that the context has from now on: they exclude each other. No
+// other thread has `context`, or others share with it.
+void shareImages(Context& context);
 // Whether another context shares objects with this one.
 bool hasCompany(const Context& context);
 
