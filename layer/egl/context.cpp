@@ -3,9 +3,11 @@
 #include <EGL/eglext.h>
 
 #include "layer/egl/attributes.h"
+#include "layer/egl/context_stats.h"
 #include "layer/egl/counters.h"
 #include "layer/egl/current.h"
 #include "layer/egl/display.h"
+#include "layer/render/debug_options.h"
 
 namespace anteroom::egl {
 namespace {
@@ -99,6 +101,7 @@ Context::Context(Display& owner, std::shared_ptr<render::Device> renderDevice,
 Context::~Context() {
   // A sync object whose context is gone counts as signaled.
   if (fenced) gl::finish(*gl);
+  if (render::debugOptions().stats) logStats(*this);
 }
 
 }  // namespace anteroom::egl
@@ -115,6 +118,8 @@ EGLContext EGLAPIENTRY eglCreateContext(EGLDisplay dpy, EGLConfig config, EGLCon
     ContextAttributes attributes = parse(attrib_list);
     attributes.options.findImage = findImage;
     attributes.options.display = &display;
+    if (render::debugOptions().stats) logStatsAtExit();
+    attributes.options.logErrors = render::debugOptions().errors;
     const auto shared = findShared(display, share_context, attributes);
     auto front =
         gl::createContext(*display.device(), shared ? shared->gl.get() : nullptr, attributes.options);

@@ -36,6 +36,7 @@ struct Context {
   ContextAttributes attributes;
   GlContext gl;
   Thread* thread = nullptr;  // where it is current
+  uint64_t frames = 0;       // that were swapped
   bool fenced = false;       // a sync object waits for this context's commands
 };
 

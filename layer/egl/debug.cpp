@@ -8,6 +8,8 @@
 #include "layer/egl/attributes.h"
 #include "layer/egl/current.h"
 #include "layer/egl/display.h"
+#include "layer/egl/errors.h"
+#include "layer/render/debug_options.h"
 
 namespace anteroom::egl {
 namespace {
@@ -127,12 +129,16 @@ void fail(EGLint code, const char* command) noexcept {
     if (callback != nullptr) object = thread.primary == nullptr ? thread.label : labelOf(thread.primary);
   }
   setError(code);
-  if (callback == nullptr) return;
+  const bool logged = render::debugOptions().errors;
+  if (callback == nullptr && !logged) return;
   try {
     const std::string text = textOf(code, command);
+    if (logged) log(text.c_str());
+    if (callback == nullptr) return;
     callback(static_cast<EGLenum>(code), command, type, thread.label, object, text.c_str());
   } catch (const std::bad_alloc&) {
-    callback(static_cast<EGLenum>(code), command, type, thread.label, object, nullptr);
+    if (callback != nullptr)
+      callback(static_cast<EGLenum>(code), command, type, thread.label, object, nullptr);
   }
 }
 

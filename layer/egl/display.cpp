@@ -194,6 +194,10 @@ bool isContextOfAnyDisplay(EGLContext handle) {
   return false;
 }
 
+void forEachContext(void (*visit)(Context& context)) {
+  for (const auto& display : displays()) display->contexts.forEach(visit);
+}
+
 }  // namespace anteroom::egl
 
 using namespace anteroom::egl;

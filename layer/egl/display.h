@@ -62,5 +62,6 @@ Display& initializedDisplay(EGLDisplay handle);
 void abandonDisplays();
 // Whether any display has such a context.
 bool isContextOfAnyDisplay(EGLContext handle);
+void forEachContext(void (*visit)(Context& context));
 
 }  // namespace anteroom::egl

@@ -37,8 +37,8 @@ std::string names() {
 std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem> windows,
                                              std::string& error) {
   const std::string wanted = variable("ANTEROOM_RENDERER");
-  const RendererOptions options{variable("ANTEROOM_DEVICE"), isOn("ANTEROOM_VALIDATION"),
-                                isOn("ANTEROOM_MINIMAL"), windows};
+  const RendererOptions options{variable("ANTEROOM_DEVICE"), render::debugOptions(), isOn("ANTEROOM_MINIMAL"),
+                                windows};
   for (const Renderer& renderer : renderers()) {
     if (wanted.empty() || wanted == renderer.name) return renderer.create(options, error);
   }

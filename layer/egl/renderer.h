@@ -5,14 +5,15 @@
 #include <optional>
 #include <string>
 
+#include "layer/render/debug_options.h"
 #include "layer/render/renderer.h"
 
 namespace anteroom::egl {
 
 struct RendererOptions {
-  std::string device;       // ANTEROOM_DEVICE: part of a device's name, or an index
-  bool validation = false;  // ANTEROOM_VALIDATION
-  bool minimal = false;     // ANTEROOM_MINIMAL: as little of the device as a renderer can live with
+  std::string device;          // ANTEROOM_DEVICE: part of a device's name, or an index
+  render::DebugOptions debug;  // ANTEROOM_DEBUG
+  bool minimal = false;        // ANTEROOM_MINIMAL: as little of the device as a renderer can live with
   std::optional<render::WindowSystem> windows = std::nullopt;  // whose windows will be drawn to
 };
 

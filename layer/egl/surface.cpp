@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdio>
 #include <utility>
 
 #include "layer/egl/attributes.h"
@@ -196,8 +197,12 @@ Format colorFormat(const Config& config, const SurfaceAttributes& attributes) {
 }
 
 Surface::Surface(const Display& owner, std::shared_ptr<render::Device> device, const Config& withConfig,
-                 const SurfaceAttributes& withAttributes)
-    : display(owner), config(withConfig), attributes(withAttributes), device_(std::move(device)) {}
+                 const SurfaceAttributes& withAttributes, std::unique_ptr<Hud> hud)
+    : display(owner),
+      config(withConfig),
+      attributes(withAttributes),
+      device_(std::move(device)),
+      hud_(std::move(hud)) {}
 
 EGLint Surface::levels() const {
   if (!isTexture() || !attributes.mipmapTexture) return 1;
@@ -231,7 +236,22 @@ bool Surface::createImages() {
   }
   if (!createDepthStencil(next)) return false;
   framebuffer_ = next;
+  nameImages();
   return true;
+}
+
+// For tools that look at the device.
+void Surface::nameImages() const {
+  if (!device_->caps().objectNames) return;
+  const auto name = [&](const render::Attachment& attachment, const char* use) {
+    if (attachment.image == nullptr) return;
+    char text[48];
+    std::snprintf(text, sizeof text, "%s %p %s", isWindow() ? "window" : "pbuffer", handle, use);
+    attachment.image->setLabel(text);
+  };
+  name(framebuffer_.stencil, "stencil");
+  name(framebuffer_.depth, "depth");
+  name(framebuffer_.color, "color");
 }
 
 bool Surface::createDepthStencil(render::Framebuffer& next) const {
@@ -253,7 +273,16 @@ bool Surface::createDepthStencil(render::Framebuffer& next) const {
   return true;
 }
 
+const render::Hud* Surface::updateHud(const Binding& binding) {
+  if (!hud_) return nullptr;
+  const render::Context& renderer = gl::rendererOf(*binding.context->gl);
+  hud_->frame(renderer.stats(), &renderer, Hud::Clock::now());
+  return &hud_->picture();
+}
+
 void Surface::post(const Binding& binding, std::span<const render::Rect>) {
+  if (const render::Hud* const picture = updateHud(binding))
+    gl::drawHud(*binding.context->gl, framebuffer_, *picture);
   gl::flush(*binding.context->gl);
 }
 
@@ -274,8 +303,8 @@ EGLSurface EGLAPIENTRY eglCreatePbufferSurface(EGLDisplay dpy, EGLConfig config,
   return command<EGLSurface>(EGL_NO_SURFACE, [&](Lock&) {
     Display& display = initializedDisplay(dpy);
     const Config& with = display.config(config);
-    return display.surfaces.add(
-        std::make_shared<Surface>(display, display.device(), with, parsePbuffer(attrib_list, with)));
+    return display.surfaces.add(std::make_shared<Surface>(display, display.device(), with,
+                                                          parsePbuffer(attrib_list, with), createHud(false)));
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "layer/egl/config.h"
 #include "layer/egl/context.h"
+#include "layer/egl/hud.h"
 
 namespace anteroom::egl {
 
@@ -39,8 +40,9 @@ render::Format colorFormat(const Config& config, const SurfaceAttributes& attrib
 
 class Surface {
  public:
+  // `hud` null: none.
   Surface(const Display& owner, std::shared_ptr<render::Device> device, const Config& config,
-          const SurfaceAttributes& attributes);
+          const SurfaceAttributes& attributes, std::unique_ptr<Hud> hud);
   virtual ~Surface() = default;
 
   // Creates the images when they are first needed. False: out of memory.
@@ -82,6 +84,10 @@ class Surface {
  protected:
   // Depth and stencil of `next`, as large as it is. False: out of memory.
   bool createDepthStencil(render::Framebuffer& next) const;
+  void nameImages() const;
+  // The HUD of the frame that ends now. Null: none.
+  const render::Hud* updateHud(const Binding& binding);
+  bool hasHud() const { return hud_ != nullptr; }
 
   const std::shared_ptr<render::Device> device_;
   render::Framebuffer framebuffer_;
@@ -93,6 +99,7 @@ class Surface {
   // The color image as a texture has it: alive as long as any texture holds it.
   std::weak_ptr<render::Image> loan_;
   std::weak_ptr<Context> boundIn_;
+  const std::unique_ptr<Hud> hud_;
 };
 
 }  // namespace anteroom::egl

@@ -29,7 +29,9 @@ EGLBoolean swap(EGLDisplay dpy, EGLSurface surface, const EGLint* rects, EGLint 
         lock.unlock();
         std::vector<render::Rect> damage;
         for (; count > 0; --count, rects += 4) damage.push_back({rects[0], rects[1], rects[2], rects[3]});
+        ++binding.context->frames;
         binding.draw->post(binding, damage);
+        binding.context->device->endFrame();
         return EGL_TRUE;
       },
       name);

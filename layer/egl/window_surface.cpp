@@ -16,7 +16,7 @@ namespace anteroom::egl {
 WindowSurface::WindowSurface(const Display& owner, std::shared_ptr<render::Device> device,
                              const Config& withConfig, const SurfaceAttributes& withAttributes,
                              std::unique_ptr<NativeWindow> native, std::unique_ptr<render::Window> window)
-    : Surface(owner, std::move(device), withConfig, withAttributes),
+    : Surface(owner, std::move(device), withConfig, withAttributes, createHud(true)),
       native_(std::move(native)),
       window_(std::move(window)) {}
 
@@ -47,6 +47,7 @@ bool WindowSurface::renew() {
   next.color.image = window_->samples() != nullptr ? window_->samples() : image;
   if (!createDepthStencil(next)) return false;
   framebuffer_ = next;
+  nameImages();
   size_[0] = next.width;
   size_[1] = next.height;
   return true;
@@ -63,6 +64,11 @@ void WindowSurface::setSwapBehavior(EGLint behavior) {
   preserved_ = behavior == EGL_BUFFER_PRESERVED;
 }
 
+// Pictures that are not kept have the HUD drawn over them.
+EGLint WindowSurface::age() const {
+  return hasHud() && !preserved_ ? 0 : window_->age();
+}
+
 void WindowSurface::post(const Binding& binding, std::span<const render::Rect> damage) {
   renewSurfaces(binding);  // a picture that nobody drew is shown, too
   gl::Context& context = *binding.context->gl;
@@ -75,7 +81,11 @@ void WindowSurface::post(const Binding& binding, std::span<const render::Rect> d
     gl::flush(context);
     native_->pace(interval_);
   }
-  const render::Presented result = gl::present(context, *window_, damage);
+  const render::Hud* const hud = updateHud(binding);
+  window_->setHud(hud);
+  // The HUD changes where the program did not draw.
+  const render::Presented result =
+      gl::present(context, *window_, hud == nullptr ? damage : std::span<const render::Rect>());
   expired_ = true;
   gl::expireDefaultFramebuffer(context, renewSurfaces, &binding);
   require(result != render::Presented::Lost, EGL_BAD_NATIVE_WINDOW);

@@ -25,7 +25,7 @@ class WindowSurface final : public Surface {
   void post(const Binding& binding, std::span<const render::Rect> damage) override;
   void setSwapBehavior(EGLint behavior) override;
   void setSwapInterval(EGLint interval) override { interval_ = interval; }
-  EGLint age() const override { return window_->age(); }
+  EGLint age() const override;
 
  private:
   // Pixels: of the images, or between pictures of the native window.

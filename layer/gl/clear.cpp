@@ -1,6 +1,9 @@
 // Section 4.2.3: clearing; and 5.1: flush and finish.
+#include <optional>
+
 #include "layer/gl/context.h"
 #include "layer/gl/params.h"
+#include "layer/gl/tool_names.h"
 
 using namespace anteroom::gl;
 
@@ -15,6 +18,9 @@ GL_API void GL_APIENTRY glClear(GLbitfield mask) {
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
   if (!mask) return;
+  std::optional<CommandGroup> group;
+  if (c->groupsCommands) [[unlikely]]
+    group.emplace(*c, "glClear", mask);
   if (!c->renderer->clear(c->state, mask)) c->setError(GL_OUT_OF_MEMORY);
 }
 

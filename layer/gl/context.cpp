@@ -65,6 +65,7 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
       group(std::move(shareGroup)),
       renderer(std::move(renderContext)),
       options(contextOptions),
+      groupsCommands(d.caps().drawGroups),
       debugOutput(contextOptions.debug),
       debug(std::make_unique<DebugOutput>()) {
   updateListener(*this);
@@ -117,7 +118,8 @@ bool Context::readFramebufferComplete() {
 }
 
 void Context::reportError(GLenum code, const Fault& fault, const char* command) const {
-  debug->error(code, fault, command);
+  if (options.logErrors) logError(code, fault, command);
+  if (debugOutput) debug->error(code, fault, command);
 }
 
 void updateMultisample(Context& c) {

@@ -174,7 +174,7 @@ class Context {
   void setError(GLenum code, const Fault& fault = {}, const char* command = __builtin_FUNCTION()) {
     if (options.noError && code != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = code;
-    if (debugOutput) [[unlikely]]
+    if (debugOutput || options.logErrors) [[unlikely]]
       reportError(code, fault, command);
   }
   void mark(gen::Groups groups) {
@@ -202,6 +202,7 @@ class Context {
   std::shared_ptr<ShareGroup> group;
   std::unique_ptr<render::Context> renderer;
   const ContextOptions options;
+  const bool groupsCommands;  // tools want to see which command did what (tool_names.h)
 
   bool hasFramebuffer = false;  // state.framebuffer is one
   bool hadFramebuffer = false;  // viewport and scissor have their initial values

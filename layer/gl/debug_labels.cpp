@@ -9,6 +9,7 @@
 #include "layer/gl/fences.h"
 #include "layer/gl/framebuffer_object.h"
 #include "layer/gl/texture.h"
+#include "layer/gl/tool_names.h"
 
 namespace anteroom::gl {
 namespace {
@@ -48,9 +49,10 @@ Labelled find(Context& c, GLenum type, GLuint name) {
 
 void tellDevice(Context& c, GLenum type, GLuint name, const std::string& label) {
   if (type == GL_TEXTURE) {
-    c.group->textures.find(name)->labelChanged();
+    c.group->textures.find(name)->labelChanged(c);
   } else if (type == GL_RENDERBUFFER_OES) {
-    if (const auto& image = c.group->renderbuffers.find(name)->image) image->setLabel(label);
+    if (const auto& image = c.group->renderbuffers.find(name)->image)
+      nameImage(c, *image, "renderbuffer", name, label);
   }
 }
 

@@ -100,23 +100,33 @@ void DebugOutput::message(DebugMessage m) {
     log.push_back(std::move(m));
 }
 
-// "glLineWidth: GL_INVALID_VALUE: width is -1. Give a width above 0."
+std::string describeError(GLenum code, const Fault& fault, const char* command) {
+  const ErrorText& general = textOf(code);
+  // Helpers that hand on no name have none that a program would know.
+  std::string text =
+      std::string_view(command).starts_with("gl") ? std::string(command) + ": " : std::string();
+  text += std::string(general.name) + ": ";
+  if (fault.kind == Fault::Kind::Unknown)
+    text += general.meaning;
+  else if (fault.kind == Fault::Kind::State)
+    text += fault.subject;
+  else
+    text += std::string(fault.subject) + " is " + shownValue(fault);
+  return text + ". " + (fault.remedy ? fault.remedy : general.remedy) + ".";
+}
+
+void logError(GLenum code, const Fault& fault, const char* command) {
+  try {
+    std::fprintf(stderr, "anteroom: %s\n", describeError(code, fault, command).c_str());
+  } catch (const std::bad_alloc&) {
+    // The error itself is recorded.
+  }
+}
+
 void DebugOutput::error(GLenum code, const Fault& fault, const char* command) {
   try {
-    const ErrorText& general = textOf(code);
-    // Helpers that hand on no name have none that a program would know.
-    std::string text =
-        std::string_view(command).starts_with("gl") ? std::string(command) + ": " : std::string();
-    text += std::string(general.name) + ": ";
-    if (fault.kind == Fault::Kind::Unknown)
-      text += general.meaning;
-    else if (fault.kind == Fault::Kind::State)
-      text += fault.subject;
-    else
-      text += std::string(fault.subject) + " is " + shownValue(fault);
-    text += std::string(". ") + (fault.remedy ? fault.remedy : general.remedy) + ".";
     message({GL_DEBUG_SOURCE_API_KHR, GL_DEBUG_TYPE_ERROR_KHR, code, GL_DEBUG_SEVERITY_HIGH_KHR,
-             std::move(text)});
+             describeError(code, fault, command)});
   } catch (const std::bad_alloc&) {
     // The error itself is recorded.
   }

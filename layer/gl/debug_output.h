@@ -69,6 +69,10 @@ class DebugOutput final : public render::Listener {
   std::vector<Group> groups_;  // the first is the default group
 };
 
+// "glLineWidth: GL_INVALID_VALUE: width is -1. Give a width above 0." May throw std::bad_alloc.
+std::string describeError(GLenum code, const Fault& fault, const char* command);
+void logError(GLenum code, const Fault& fault, const char* command);
+
 // Tells the renderer whether anybody listens: after debugOutput changed.
 void updateListener(Context& c);
 

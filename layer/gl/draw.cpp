@@ -2,10 +2,12 @@
 #include "layer/gl/draw.h"
 
 #include <limits>
+#include <optional>
 
 #include "layer/gl/buffer.h"
 #include "layer/gl/context.h"
 #include "layer/gl/texture.h"
+#include "layer/gl/tool_names.h"
 #include "layer/gl/vertex_arrays.h"
 
 using namespace anteroom::gl;
@@ -67,6 +69,9 @@ void prepareDraw(Context& c) {
 
 void submitDraw(Context& c, const render::DrawCall& call, const char* command) {
   c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
+  std::optional<CommandGroup> group;
+  if (c.groupsCommands) [[unlikely]]
+    group.emplace(c, command, call);
   if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY, {}, command);
 }
 

@@ -57,7 +57,7 @@ std::array<Corner, 4> cornersOf(const Context& c, const Box& box) {
 }
 
 // The rectangle is drawn by the state that the program set, but for what section 5.7 leaves out.
-void drawBox(Context& c, const Box& box) {
+void drawBox(Context& c, const Box& box, const char* command) {
   prepareDraw(c);
   const std::array<Corner, 4> corners = cornersOf(c, box);
   render::State& state = c.state;
@@ -90,7 +90,7 @@ void drawBox(Context& c, const Box& box) {
   call.mode = GL_TRIANGLE_STRIP;
   call.count = 4;
   c.mark(kOverridden);
-  submitDraw(c, call);
+  submitDraw(c, call, command);
 
   state.fixed = fixed;
   state.arrays = arrays;
@@ -110,7 +110,7 @@ void drawTexture(double x, double y, double z, double width, double height,
         command);
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES, {}, command);
-  drawBox(*c, {x, y, z, width, height});
+  drawBox(*c, {x, y, z, width, height}, command);
 }
 
 }  // namespace

@@ -90,6 +90,11 @@ render::Presented present(Context& c, render::Window& window, std::span<const re
   return c.renderer->present(window, damage);
 }
 
+void drawHud(Context& c, const render::Framebuffer& framebuffer, const render::Hud& hud) {
+  ShareLock lock(*c.group);
+  c.renderer->drawHud(framebuffer, hud);
+}
+
 render::Context& rendererOf(Context& c) {
   return *c.renderer;
 }

@@ -28,6 +28,7 @@ struct ContextOptions {
   bool robustAccess = false;
   FindImage findImage = nullptr;
   void* display = nullptr;          // for findImage
+  bool logErrors = false;           // to stderr, each with its command and reason
   bool loseContextOnReset = false;  // EXT_robustness: resets are told
 };
 
@@ -60,6 +61,8 @@ void expireDefaultFramebuffer(Context& context, void (*renew)(const egl::Binding
 
 // eglSwapBuffers: shows what was drawn.
 render::Presented present(Context& context, render::Window& window, std::span<const render::Rect> damage);
+// Draws over the color of a framebuffer; no state of the context changes.
+void drawHud(Context& context, const render::Framebuffer& framebuffer, const render::Hud& hud);
 
 // eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the
 // texture had is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it

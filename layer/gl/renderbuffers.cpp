@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layer/gl/framebuffer_object.h"
+#include "layer/gl/tool_names.h"
 
 using namespace anteroom::gl;
 namespace render = anteroom::render;
@@ -102,7 +103,7 @@ void specifyStorage(GLenum target, GLsizei samples, GLenum internalformat, GLsiz
     desc.renderable = true;
     image = c->device.createImage(desc);
     if (!image) return c->setError(GL_OUT_OF_MEMORY, {}, command);
-    if (!renderbuffer->label.empty()) image->setLabel(renderbuffer->label);
+    nameImage(*c, *image, "renderbuffer", renderbuffer->name, renderbuffer->label);
   }
   renderbuffer->internalFormat = internalformat;
   renderbuffer->width = width;

@@ -74,9 +74,7 @@ struct Texture {
   // Sampler state or an image changed: every context looks again.
   void changed(Context& c);
   // `label` changed.
-  void labelChanged() const {
-    if (image_ && !import_) image_->setLabel(label);
-  }
+  void labelChanged(const Context& c) const;
 
   // These change texels; false means out of memory, and that nothing changed. Arguments have been validated.
   // An image of eglBindTexImage is given back when a level is specified.

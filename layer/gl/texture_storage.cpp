@@ -3,6 +3,7 @@
 
 #include "layer/gl/texture.h"
 #include "layer/gl/texture_upload.h"
+#include "layer/gl/tool_names.h"
 
 namespace anteroom::gl {
 
@@ -62,8 +63,12 @@ std::shared_ptr<Image> Texture::createImage(Context& c, Format format, const Ext
   desc.depth = size.depth;
   desc.levels = levelCount;
   std::shared_ptr<Image> image = c.device.createImage(desc);
-  if (image && !label.empty()) image->setLabel(label);
+  if (image) nameImage(c, *image, "texture", name, label);
   return image;
+}
+
+void Texture::labelChanged(const Context& c) const {
+  if (image_ && !import_) nameImage(c, *image_, "texture", name, label);
 }
 
 // Levels of one internal format may have been given in different types: the format that holds them all.

@@ -8,7 +8,7 @@ namespace anteroom {
 namespace {
 
 std::unique_ptr<render::Device> createVulkan(const egl::RendererOptions& options, std::string& error) {
-  return vulkan::createDevice({options.device, options.validation, options.minimal, options.windows}, error);
+  return vulkan::createDevice({options.device, options.debug, options.minimal, options.windows}, error);
 }
 
 // The folder of this library, with the slash at its end.

@@ -45,6 +45,15 @@ constexpr const FormatInfo& info(Format format) {
   return kFormatInfo[static_cast<int>(format)];
 }
 
+// As GL calls them.
+inline constexpr const char* kFormatNames[kFormatCount] = {
+    "none",    "ALPHA8",           "LUMINANCE8", "LUMINANCE8_ALPHA8", "RGB8",  "RGBA8",   "RGB565",
+    "RGBA4",   "RGB5_A1",          "SRGB8",      "SRGB8_ALPHA8",      "BGRA8", "DEPTH16", "DEPTH24",
+    "DEPTH32", "DEPTH24_STENCIL8", "STENCIL8"};
+constexpr const char* nameOf(Format format) {
+  return kFormatNames[static_cast<int>(format)];
+}
+
 constexpr bool isDepthOrStencil(Format format) {
   return info(format).depth != 0 || info(format).stencil != 0;
 }

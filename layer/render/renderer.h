@@ -20,6 +20,8 @@
 
 namespace anteroom::render {
 
+struct Hud;  // hud.h
+
 enum class Dimension : uint8_t { Flat, Cube, Volume };
 
 struct ImageDesc {
@@ -78,6 +80,7 @@ struct Stats {
   uint64_t submits = 0;
   uint64_t renderPasses = 0;
   uint64_t bytesUploaded = 0;
+  uint64_t memoryBytes = 0;  // device memory that is held now
 };
 
 // What a renderer tells of itself, in words, for people who ask.
@@ -109,6 +112,9 @@ struct Caps {
   int maxSamples = 1;
   bool polygonOffsetClamp = true;
   bool windows = false;  // of the window system that the device was made for
+  // ANTEROOM_DEBUG=markers, and a device that can: images want names, draws groups.
+  bool objectNames = false;
+  bool drawGroups = false;
 };
 
 // Hears of what makes a context slow. Called on the context's thread.
@@ -181,6 +187,10 @@ class Context {
   virtual uint64_t insertFence() = 0;
   virtual bool waitFence(uint64_t fence, uint64_t timeout) = 0;
 
+  // Draws over the color of a framebuffer. Changes nothing else that a program could see; statistics do not
+  // tell of it.
+  virtual void drawHud(const Framebuffer&, const Hud&) {}
+
   virtual const Stats& stats() const = 0;
 };
 
@@ -195,6 +205,8 @@ class Device {
   virtual std::unique_ptr<Context> createContext() = 0;
   // Null: out of memory, or nothing that this device could draw to.
   virtual std::unique_ptr<Window> createWindow(const WindowDesc&) { return nullptr; }
+  // A frame of any context has been submitted whole. For tools that look at frames. Thread-safe.
+  virtual void endFrame() {}
 };
 
 }  // namespace anteroom::render

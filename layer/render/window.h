@@ -9,6 +9,7 @@
 namespace anteroom::render {
 
 class Image;
+struct Hud;
 
 enum class WindowSystem : uint8_t { Xcb, Wayland };
 
@@ -58,6 +59,8 @@ class Window {
   virtual void setInterval(int interval) = 0;
   // Whether the next picture starts with the one before.
   virtual void setPreserved(bool preserved) = 0;
+  // Drawn over the next picture on its way to the screen. Null: nothing is.
+  virtual void setHud(const Hud*) {}
 };
 
 }  // namespace anteroom::render

@@ -48,7 +48,8 @@ constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 std::span<const OwnShader> ownShaders() {
   static constexpr OwnShader kAll[] = {{gen::Stage::Vertex, kQuadVertex},
                                        {gen::Stage::Fragment, kQuadFragment},
-                                       {gen::Stage::Fragment, kCopyFragment}};
+                                       {gen::Stage::Fragment, kCopyFragment},
+                                       {gen::Stage::Fragment, kHudFragment}};
   return kAll;
 }
 
@@ -134,10 +135,8 @@ bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& 
 // Some components of the color, some bits of the stencil: a flat quad under the masks.
 bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags aspects,
                                 const render::Rect& rect) {
-  DrawState quad;
+  DrawState quad = plainQuad(target_);
   quad.scissor = flipped(rect, target_);
-  quad.fixed.depthCompare = VK_COMPARE_OP_ALWAYS;
-  quad.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
   if (aspects & kColor) quad.fixed.writeMask = writeMask(state.ops.colorMask, target_);
   if (aspects & kStencil) {
     quad.fixed.stencilTest = 1;
@@ -150,20 +149,27 @@ bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags a
   return drawQuad(target_, quad, color, aspects & kStencil);
 }
 
-// A quad over the target: in one color, or with the texels of `copied`.
-bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color,
-                             bool withDepth, VkImageView copied) {
-  const auto& fn = device_.fn();
-  const Features& features = device_.features();
+// All of the target, under no test; it writes nothing yet.
+DrawState VulkanContext::plainQuad(const Target& target) {
+  DrawState quad;
   quad.viewport = {0, 0, static_cast<float>(target.width), static_cast<float>(target.height), 0, 1};
+  quad.scissor.extent = {static_cast<uint32_t>(target.width), static_cast<uint32_t>(target.height)};
   quad.fixed.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  quad.fixed.depthCompare = quad.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
   quad.fixed.srcRgb = quad.fixed.srcAlpha = VK_BLEND_FACTOR_ONE;
   quad.fixed.logicOp = VK_LOGIC_OP_COPY;
   quad.fixed.frontFace = VK_FRONT_FACE_CLOCKWISE;
   quad.fixed.sampleMask = static_cast<uint8_t>((1u << target.samples) - 1);
-  const Shader* const vertex = device_.shaders().get(gen::Stage::Vertex, kQuadVertex);
-  const Shader* const fragment =
-      device_.shaders().get(gen::Stage::Fragment, copied ? kCopyFragment : kQuadFragment);
+  return quad;
+}
+
+// Everything that a quad needs but its constants and textures.
+bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const char* fragmentText,
+                             bool withDepth, Counted counted) {
+  const auto& fn = device_.fn();
+  const Features& features = device_.features();
+  const Shader* const vertex = device_.shaders().get(gen::Stage::Vertex, kQuadVertex, counted);
+  const Shader* const fragment = device_.shaders().get(gen::Stage::Fragment, fragmentText, counted);
   if (!vertex || !fragment || !openPass(target, withDepth)) return false;
 
   PipelineKey key;
@@ -173,7 +179,7 @@ bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClea
   key.depthFormat = pass_.formats().depth;
   key.samples = pass_.formats().samples;
   key.state = baked(quad.fixed, features);
-  const VkPipeline pipeline = device_.pipelines().get(key, *vertex, *fragment);
+  const VkPipeline pipeline = device_.pipelines().get(key, *vertex, *fragment, counted);
   const VkCommandBuffer commands = commands_.commands();
   if (!pipeline || !commands) return false;
   startBound();
@@ -183,14 +189,23 @@ bool VulkanContext::drawQuad(const Target& target, DrawState& quad, const VkClea
   bound_.layout = {};
   emit(fn, commands, features, key.samples, quad, sent_, !bound_.stateSent);
   bound_.stateSent = true;
-  fn.vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,
-                        sizeof color.float32, color.float32);
+  return true;
+}
+
+// A quad over the target: in one color, or with the texels of `copied`.
+bool VulkanContext::drawQuad(const Target& target, const DrawState& quad, const VkClearColorValue& color,
+                             bool withDepth, VkImageView copied) {
+  const char* const fragment = copied ? kCopyFragment : kQuadFragment;
+  if (!bindQuad(target, quad, fragment, withDepth, Counted::Yes)) return false;
+  const VkCommandBuffer commands = commands_.commands();
+  device_.fn().vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,
+                                  sizeof color.float32, color.float32);
   bound_.pushed = 0;
   if (copied) {
     const VkSampler sampler = device_.samplers().get({GL_NEAREST, GL_NEAREST}, 1, 0);
     if (!sampler || !bindTextures(commands, 1, &copied, &sampler)) return false;
   }
-  fn.vkCmdDraw(commands, 3, 1, 0, 0);
+  device_.fn().vkCmdDraw(commands, 3, 1, 0, 0);
   return true;
 }
 
@@ -221,9 +236,7 @@ bool VulkanContext::opaqueAlpha(VulkanImage& image, int level, int layer) {
   target.width = image.levelWidth(level);
   target.height = image.levelHeight(level);
   target.samples = image.desc().samples;
-  DrawState quad;
-  quad.scissor.extent = {static_cast<uint32_t>(target.width), static_cast<uint32_t>(target.height)};
-  quad.fixed.depthCompare = quad.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
+  DrawState quad = plainQuad(target);
   quad.fixed.writeMask = VK_COLOR_COMPONENT_A_BIT;
   image.alphaStale = false;
   return drawQuad(target, quad, {{0, 0, 0, 1}}, false);

@@ -1,6 +1,7 @@
 #include "layer/vulkan/command_stream.h"
 
 #include <atomic>
+#include <string>
 
 #include "layer/vulkan/buffer.h"
 #include "layer/vulkan/device.h"
@@ -12,9 +13,14 @@ namespace {
 // Recordings and epochs of all contexts are numbered together: a store remembers but one of each.
 std::atomic<uint64_t> nextNumber{1};
 
+std::atomic<unsigned> nextStream{1};  // for names
+
 constexpr uint32_t kSetsAPool = 256;
 
 }  // namespace
+
+CommandStream::CommandStream(VulkanDevice& device)
+    : device_(device), number_(nextStream.fetch_add(1, std::memory_order_relaxed)) {}
 
 CommandStream::~CommandStream() {
   device_.timeline().wait(lastSubmitted_, UINT64_MAX);
@@ -42,8 +48,18 @@ bool CommandStream::initialise() {
     for (int i = 0; i < 3; ++i) device_.countObject();
     slot.fresh = buffers[0];
     slot.main = buffers[1];
+    nameSlot(slot);
   }
   return true;
+}
+
+void CommandStream::nameSlot(const Slot& slot) const {
+  const Labels& labels = device_.labels();
+  if (!labels.nameAll()) return;
+  const std::string context =
+      "context " + std::to_string(number_) + ", slot " + std::to_string(&slot - slots_.data());
+  labels.name(VK_OBJECT_TYPE_COMMAND_BUFFER, slot.main, context);
+  labels.name(VK_OBJECT_TYPE_COMMAND_BUFFER, slot.fresh, context + ", first layouts");
 }
 
 VkCommandBuffer CommandStream::begin() {

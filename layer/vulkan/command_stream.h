@@ -18,7 +18,7 @@ class VulkanDevice;
 
 class CommandStream {
  public:
-  explicit CommandStream(VulkanDevice& device) : device_(device) {}
+  explicit CommandStream(VulkanDevice& device);
   ~CommandStream();
   bool initialise();
 
@@ -79,8 +79,10 @@ class CommandStream {
 
   VkCommandBuffer begin();
   void release(Slot& slot);
+  void nameSlot(const Slot& slot) const;
 
   VulkanDevice& device_;
+  const unsigned number_;
   std::array<Slot, kSlots> slots_;
   int slot_ = 0;
   bool recording_ = false;

@@ -88,12 +88,13 @@ bool VulkanContext::waitFence(uint64_t fence, uint64_t timeout) {
 }
 
 const render::Stats& VulkanContext::stats() const {
-  stats_.renderPasses = pass_.passes();
+  stats_.renderPasses = pass_.passes() - ownPasses_;
   stats_.pipelinesCreated = device_.pipelines().created();
   stats_.shadersCompiled = device_.shaders().compiled();
   stats_.shadersFromCache = device_.shaders().fromCache();
   stats_.vulkanObjectsCreated = device_.objects();
   stats_.memoryAllocations = device_.memoryAllocations();
+  stats_.memoryBytes = device_.memoryBytes();
   return stats_;
 }
 

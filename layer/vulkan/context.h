@@ -15,7 +15,9 @@
 
 namespace anteroom::vulkan {
 
+class VulkanWindow;
 struct Shader;
+enum class Counted : bool;
 
 class VulkanContext final : public render::Context {
  public:
@@ -43,6 +45,7 @@ class VulkanContext final : public render::Context {
   render::Presented present(render::Window& window, std::span<const render::Rect> damage) override;
   uint64_t insertFence() override;
   bool waitFence(uint64_t fence, uint64_t timeout) override;
+  void drawHud(const render::Framebuffer& framebuffer, const render::Hud& hud) override;
   const render::Stats& stats() const override;
 
  private:
@@ -144,11 +147,18 @@ class VulkanContext final : public render::Context {
   bool remember(VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
                 const PendingClear& values);
   bool clearInPass(VkImageAspectFlags aspects, const render::Rect& rect, const PendingClear& values);
-  bool drawQuad(const Target& target, DrawState& quad, const VkClearColorValue& color, bool withDepth,
+  static DrawState plainQuad(const Target& target);
+  bool bindQuad(const Target& target, const DrawState& quad, const char* fragment, bool withDepth,
+                Counted counted);
+  bool drawQuad(const Target& target, const DrawState& quad, const VkClearColorValue& color, bool withDepth,
                 VkImageView copied = VK_NULL_HANDLE);
   bool clearMasked(const render::State& state, VkImageAspectFlags aspects, const render::Rect& rect);
   bool materialise(VulkanImage& image);
   bool opaqueAlpha(VulkanImage& image, int level, int layer);
+
+  // hud.cpp
+  bool drawHud(const Target& target, const render::Hud& hud);
+  bool drawHud(VulkanWindow& window);
 
   // implicit_samples.cpp
   bool openPass(const Target& target, bool withDepth);
@@ -202,6 +212,7 @@ class VulkanContext final : public render::Context {
 
   render::Listener* listener_ = nullptr;
   int openGroups_ = 0;
+  uint64_t ownPasses_ = 0;  // that no command of GL needed
 
   DrawState wanted_, sent_;
   bool nothing_ = false;

@@ -10,6 +10,7 @@
 #include "layer/vulkan/buffer.h"
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/driver_cache.h"
+#include "layer/vulkan/frame_capture.h"
 #include "layer/vulkan/image.h"
 #include "layer/vulkan/no_fork.h"
 #include "layer/vulkan/pass.h"
@@ -63,6 +64,7 @@ std::unique_ptr<VulkanDevice> VulkanDevice::create(const DeviceOptions& options,
 }
 
 bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) {
+  debug_ = options.debug;
   {
     const DeviceLock lock;
     if (!createInstance(options, instance_, error)) return false;
@@ -79,7 +81,10 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   limits_ = properties.limits;
   formats_ = chooseFormats(instance_.physical, features_);
   fillCaps(properties);
-  labels_.load(handle_, instance_.debugUtils, !caps_.isCpu);
+  labels_.load(handle_, {instance_.debugUtils, !caps_.isCpu, debug_.markers});
+  caps_.objectNames = labels_.nameAll();
+  caps_.drawGroups = labels_.nameAll() && labels_.inCommands();
+  if (labels_.nameAll()) labels_.name(VK_OBJECT_TYPE_QUEUE, queue_, "the queue of all contexts");
   if (caps_.isCpu) keepPages();
 
   memory_ = std::make_unique<MemoryPool>(*this);
@@ -90,13 +95,17 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   driverCache_ = std::make_unique<DriverCache>(*this);
   pipelines_ = std::make_unique<PipelineCache>(*this);
   warmUp_ = std::make_unique<PipelineWarmUp>(*this);
-  if (timeline_->initialise() && createLayouts()) return true;
+  if (timeline_->initialise() && createLayouts()) {
+    if (debug_.captureFrame) capture_ = std::make_unique<FrameCapture>(instance_.handle, debug_.captureFrame);
+    return true;
+  }
   error = "the Vulkan device is out of memory";
   return false;
 }
 
 VulkanDevice::~VulkanDevice() {
   if (handle_) {
+    capture_.reset();
     warmUp_.reset();
     fn_.vkDeviceWaitIdle(handle_);
     pipelines_.reset();
@@ -274,6 +283,10 @@ std::shared_ptr<render::Image> VulkanDevice::createImage(const render::ImageDesc
 std::shared_ptr<render::Buffer> VulkanDevice::createBuffer(size_t size, const void* data) {
   workAhead();
   return VulkanBuffer::create(*this, size, data);
+}
+
+void VulkanDevice::endFrame() {
+  if (capture_) capture_->endFrame();
 }
 
 void VulkanDevice::workAhead() {

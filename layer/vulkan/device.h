@@ -19,6 +19,7 @@
 namespace anteroom::vulkan {
 
 class DriverCache;
+class FrameCapture;
 struct ImageStore;
 class LegacyPasses;
 class PipelineCache;
@@ -53,6 +54,7 @@ class VulkanDevice : public render::Device {
   std::shared_ptr<render::Buffer> createBuffer(size_t size, const void* data) override;
   std::unique_ptr<render::Context> createContext() override;
   std::unique_ptr<render::Window> createWindow(const render::WindowDesc& desc) override;
+  void endFrame() override;
 
   const Instance& instance() const { return instance_; }
   VkDevice handle() const { return handle_; }
@@ -66,6 +68,7 @@ class VulkanDevice : public render::Device {
   // Whether a vertex attribute may have this format.
   bool vertexFormat(VkFormat format) const;
 
+  const render::DebugOptions& debug() const { return debug_; }
   const Labels& labels() const { return labels_; }
   MemoryPool& memory() { return *memory_; }
   Timeline& timeline() { return *timeline_; }
@@ -95,6 +98,8 @@ class VulkanDevice : public render::Device {
     memoryAllocations_.fetch_add(1, std::memory_order_relaxed);
   }
   uint64_t objects() const { return objects_.load(std::memory_order_relaxed); }
+  void countMemoryBytes(int64_t bytes) { memoryBytes_.fetch_add(bytes, std::memory_order_relaxed); }
+  uint64_t memoryBytes() const { return static_cast<uint64_t>(memoryBytes_.load(std::memory_order_relaxed)); }
   uint64_t memoryAllocations() const { return memoryAllocations_.load(std::memory_order_relaxed); }
 
  private:
@@ -113,12 +118,14 @@ class VulkanDevice : public render::Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   VolkDeviceTable fn_{};
   Features features_;
+  render::DebugOptions debug_;
   Labels labels_;
   VkPhysicalDeviceLimits limits_{};
   render::Caps caps_;
   StoreFormats formats_;
   std::atomic<uint64_t> objects_{0}, memoryAllocations_{0};
   std::atomic<bool> workingAhead_{false};
+  std::atomic<int64_t> memoryBytes_{0};
 
   VkDescriptorSetLayout setLayouts_[3]{};
   VkPipelineLayout pipelineLayout_ = VK_NULL_HANDLE;
@@ -136,6 +143,7 @@ class VulkanDevice : public render::Device {
   std::unique_ptr<DriverCache> driverCache_;
   std::unique_ptr<PipelineCache> pipelines_;
   std::unique_ptr<PipelineWarmUp> warmUp_;
+  std::unique_ptr<FrameCapture> capture_;  // null: none is wanted
 };
 
 }  // namespace anteroom::vulkan

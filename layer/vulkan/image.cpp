@@ -1,5 +1,7 @@
 #include "layer/vulkan/image.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -187,15 +189,34 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
     if (!store->view) return nullptr;
   }
   const bool clear = !linear && format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT;
-  if (!label_.empty()) device_.labels().name(store->image, label_);
+  nameStore(*store, samples);
   device_.addFreshImage({store, store->image, store->aspects, info.initialLayout, clear});
   return store;
 }
 
 void VulkanImage::setLabel(std::string_view text) {
   label_ = text;
-  for (const auto& store : {store_, resolved_})
-    if (store) device_.labels().name(store->image, label_);
+  if (store_) nameStore(*store_, desc_.samples);
+  if (resolved_) nameStore(*resolved_, 1);
+}
+
+// "brick (texture 5) 512x512 RGB8, 10 levels"
+void VulkanImage::nameStore(const ImageStore& store, int samples) const {
+  const Labels& labels = device_.labels();
+  if (!labels.nameAll()) {
+    if (!label_.empty()) labels.name(VK_OBJECT_TYPE_IMAGE, store.image, label_);
+    return;
+  }
+  std::string text =
+      fmt::format("{} {}x{}", label_.empty() ? "image" : label_.c_str(), desc_.width, desc_.height);
+  if (desc_.dimension == render::Dimension::Volume) text += fmt::format("x{}", desc_.depth);
+  if (desc_.dimension == render::Dimension::Cube) text += " cube";
+  text += fmt::format(" {}", render::nameOf(desc_.format));
+  if (desc_.levels > 1) text += fmt::format(", {} levels", desc_.levels);
+  if (samples > 1) text += fmt::format(", {} samples", samples);
+  if (samples < desc_.samples) text += ", resolved";
+  labels.name(VK_OBJECT_TYPE_IMAGE, store.image, text);
+  if (store.view) labels.name(VK_OBJECT_TYPE_IMAGE_VIEW, store.view, text);
 }
 
 ImageStore* VulkanImage::store(bool overwritten) {

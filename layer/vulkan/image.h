@@ -129,6 +129,7 @@ class VulkanImage final : public render::Image {
 
  private:
   std::shared_ptr<ImageStore> createStore(int samples, bool overwritten) const;
+  void nameStore(const ImageStore& store, int samples) const;
 
   VulkanDevice& device_;
   const StoreFormat format_;

@@ -34,9 +34,7 @@ bool VulkanContext::loadSamples(const Target& target) {
   Target samples = target;
   samples.depth = samples.resolve = nullptr;
   samples.hasDepth = samples.hasStencil = false;
-  DrawState quad;
-  quad.scissor.extent = {static_cast<uint32_t>(target.width), static_cast<uint32_t>(target.height)};
-  quad.fixed.depthCompare = quad.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
+  DrawState quad = plainQuad(samples);
   quad.fixed.writeMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
                          VK_COLOR_COMPONENT_A_BIT;
   if (!drawQuad(samples, quad, {}, false, texels)) return false;

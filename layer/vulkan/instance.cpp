@@ -18,6 +18,7 @@ namespace {
 
 std::mutex deviceMutex;
 std::atomic<unsigned> messageCount{0};
+thread_local ValidationScope* innermostScope = nullptr;
 
 // glslang decorates gl_Position, a member of gl_PerVertex, as SPIR-V allows; some versions of the layer warn
 // of it.
@@ -28,13 +29,15 @@ constexpr const char* kNoDriver =
 
 VKAPI_ATTR VkBool32 VKAPI_CALL onMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                          VkDebugUtilsMessageTypeFlagsEXT,
-                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void* fatal) {
   for (const char* alarm : kFalseAlarms)
     if (std::strstr(data->pMessage, alarm)) return VK_FALSE;
   messageCount.fetch_add(1, std::memory_order_relaxed);
   std::fprintf(stderr, "anteroom: validation: %s\n", data->pMessage);
-  const char* mode = std::getenv("ANTEROOM_VALIDATION");
-  if (mode && !std::strcmp(mode, "fatal")) std::abort();
+  if (innermostScope)
+    innermostScope->add(data->pMessage, fatal);
+  else if (fatal)
+    std::abort();
   return VK_FALSE;
 }
 
@@ -202,13 +205,14 @@ void loadSurfaceFunctions(Instance& instance) {
   load("vkGetPhysicalDeviceSurfacePresentModesKHR", instance.surface.presentModes);
 }
 
-void createMessenger(Instance& instance) {
+void createMessenger(Instance& instance, bool fatal) {
   VkDebugUtilsMessengerCreateInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT};
   info.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
   info.messageType =
       VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_GENERAL_BIT_EXT;
   info.pfnUserCallback = onMessage;
+  info.pUserData = fatal ? &instance : nullptr;  // only whether there is one is looked at
   vkCreateDebugUtilsMessengerEXT(instance.handle, &info, nullptr, &instance.messenger);
 }
 
@@ -238,6 +242,18 @@ DeviceLock::~DeviceLock() {
   deviceMutex.unlock();
 }
 
+ValidationScope::ValidationScope() : outer_(innermostScope) {
+  innermostScope = this;
+}
+ValidationScope::~ValidationScope() {
+  innermostScope = outer_;
+  if (fatal_) std::abort();
+}
+void ValidationScope::add(const char* message, bool fatal) {
+  messages_.append(message).append("\n");
+  fatal_ |= fatal;
+}
+
 unsigned validationMessages() {
   return messageCount.load(std::memory_order_relaxed);
 }
@@ -257,8 +273,10 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
   VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
   info.pApplicationInfo = &application;
   const char* layer = "VK_LAYER_KHRONOS_validation";
-  const bool validation = options.validation && hasLayer(layer);
-  if (options.validation && !validation)
+  using enum render::DebugOptions::Validation;
+  const bool wanted = options.debug.validation != Off;
+  const bool validation = wanted && hasLayer(layer);
+  if (wanted && !validation)
     std::fprintf(stderr, "anteroom: no validation layer: install vulkan-validationlayers\n");
   if (validation) {
     info.enabledLayerCount = 1;
@@ -275,7 +293,7 @@ bool createInstance(const DeviceOptions& options, Instance& instance, std::strin
   }
   loadFunctions(instance.handle, info);
   if (instance.surfaces) loadSurfaceFunctions(instance);
-  if (validation) createMessenger(instance);
+  if (validation) createMessenger(instance, options.debug.validation == Abort);
   if (choosePhysicalDevice(options.preferred, instance, error)) return true;
   destroyInstance(instance);
   return false;

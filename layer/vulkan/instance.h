@@ -19,6 +19,23 @@ struct SurfaceFunctions {
   PFN_vkGetPhysicalDeviceSurfacePresentModesKHR presentModes = nullptr;
 };
 
+// Messages of the validation layer about calls of this thread are kept here while this lives. One that would
+// abort the process does so when this ends.
+class ValidationScope {
+ public:
+  ValidationScope();
+  ~ValidationScope();
+  ValidationScope(const ValidationScope&) = delete;
+  ValidationScope& operator=(const ValidationScope&) = delete;
+  const std::string& messages() const { return messages_; }
+  void add(const char* message, bool fatal);
+
+ private:
+  ValidationScope* const outer_;
+  std::string messages_;
+  bool fatal_ = false;
+};
+
 struct Instance {
   std::string devices, choice;  // of render::Origin
   VkInstance handle = VK_NULL_HANDLE;

@@ -4,26 +4,26 @@
 
 namespace anteroom::vulkan {
 
-void Labels::load(VkDevice device, bool available, bool inCommands) {
-  if (!available) return;
+void Labels::load(VkDevice device, const Wanted& wanted) {
+  if (!wanted.available) return;
   device_ = device;
+  all_ = wanted.all;
   const auto get = [&](auto& to, const char* name) {
     to = reinterpret_cast<std::decay_t<decltype(to)>>(vkGetDeviceProcAddr(device, name));
   };
   get(name_, "vkSetDebugUtilsObjectNameEXT");
-  if (!inCommands) return;
+  if (!wanted.inCommands) return;
   get(begin_, "vkCmdBeginDebugUtilsLabelEXT");
   get(end_, "vkCmdEndDebugUtilsLabelEXT");
   get(insert_, "vkCmdInsertDebugUtilsLabelEXT");
   if (!begin_ || !end_ || !insert_) begin_ = nullptr;
 }
 
-void Labels::name(VkImage image, std::string_view text) const {
-  if (!name_) return;
+void Labels::setName(VkObjectType type, uint64_t handle, std::string_view text) const {
   const std::string terminated(text);
   VkDebugUtilsObjectNameInfoEXT info{VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT};
-  info.objectType = VK_OBJECT_TYPE_IMAGE;
-  info.objectHandle = reinterpret_cast<uint64_t>(image);
+  info.objectType = type;
+  info.objectHandle = handle;
   info.pObjectName = terminated.c_str();
   name_(device_, &info);
 }

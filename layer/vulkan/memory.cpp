@@ -1,6 +1,7 @@
 #include "layer/vulkan/memory.h"
 
 #include <algorithm>
+#include <string>
 
 #include "layer/vulkan/device.h"
 
@@ -29,6 +30,17 @@ constexpr VkBufferUsageFlags kBufferUsage =
 
 VkDeviceSize alignUp(VkDeviceSize value, VkDeviceSize alignment) {
   return (value + alignment - 1) / alignment * alignment;
+}
+
+void nameBlock(const VulkanDevice& device, const MemoryBlock& block) {
+  const Labels& labels = device.labels();
+  if (!labels.nameAll()) return;
+  constexpr const char* kKinds[] = {"buffers and streams", "linear images", "images"};
+  const std::string text = std::string("block of ") + kKinds[static_cast<int>(block.kind)] + ", " +
+                           std::to_string(block.size >> 10) + " KiB, memory type " +
+                           std::to_string(block.type);
+  labels.name(VK_OBJECT_TYPE_DEVICE_MEMORY, block.memory, text);
+  if (block.buffer) labels.name(VK_OBJECT_TYPE_BUFFER, block.buffer, text);
 }
 
 }  // namespace
@@ -137,7 +149,11 @@ MemoryBlock* MemoryPool::createBlock(MemoryKind kind, uint32_t type, VkDeviceSiz
     info.allocationSize = requirements.size;
   }
   bool done = fn.vkAllocateMemory(device_.handle(), &info, nullptr, &block->memory) == VK_SUCCESS;
-  if (done) device_.countMemory();
+  if (done) {
+    device_.countMemory();
+    device_.countMemoryBytes(static_cast<int64_t>(size));
+    nameBlock(device_, *block);
+  }
   if (done && block->buffer)
     done = fn.vkBindBufferMemory(device_.handle(), block->buffer, block->memory, 0) == VK_SUCCESS;
   if (done && properties_.memoryTypes[type].propertyFlags & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) {
@@ -156,6 +172,7 @@ MemoryBlock* MemoryPool::createBlock(MemoryKind kind, uint32_t type, VkDeviceSiz
 
 void MemoryPool::destroyBlock(MemoryBlock& block) {
   device_.fn().vkDestroyBuffer(device_.handle(), block.buffer, nullptr);
+  if (block.memory) device_.countMemoryBytes(-static_cast<int64_t>(block.size));
   device_.fn().vkFreeMemory(device_.handle(), block.memory, nullptr);
 }
 

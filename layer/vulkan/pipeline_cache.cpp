@@ -11,6 +11,7 @@
 #include "layer/vulkan/driver_cache.h"
 #include "layer/vulkan/no_fork.h"
 #include "layer/vulkan/pipeline_words.h"
+#include "layer/vulkan/shader_dump.h"
 #include "layer/vulkan/shader_library.h"
 
 namespace anteroom::vulkan {
@@ -220,16 +221,33 @@ VkPipeline PipelineCache::create(const PipelineKey& key, const Shader& vertex, c
     if (!info.renderPass) return VK_NULL_HANDLE;
   }
   VkPipeline pipeline = VK_NULL_HANDLE;
+  const ValidationScope validation;
   const VkResult result = device_.fn().vkCreateGraphicsPipelines(
       device_.handle(), device_.driverCache().handle(), 1, &info, nullptr, &pipeline);
   if (result != VK_SUCCESS) {
-    std::fprintf(stderr, "anteroom: a pipeline cannot be made (VkResult %d): check the Vulkan driver\n",
-                 result);
+    if (isFault(result))
+      report("the driver refuses a pipeline, VkResult " + std::to_string(result), key, vertex, fragment,
+             validation.messages());
+    else
+      std::fprintf(stderr, "anteroom: a pipeline cannot be made (VkResult %d): check the Vulkan driver\n",
+                   result);
     return VK_NULL_HANDLE;
   }
+  if (!validation.messages().empty())
+    report("validation finds fault with a pipeline", key, vertex, fragment, validation.messages());
   device_.countObject();
-  ++created_;
+  if (device_.labels().nameAll())
+    device_.labels().name(VK_OBJECT_TYPE_PIPELINE, pipeline,
+                          describe(ShaderText{vertex.kind, vertex.key}) + " | " +
+                              describe(ShaderText{fragment.kind, fragment.key}) + " | " +
+                              describe(key, device_.features()));
   return pipeline;
+}
+
+void PipelineCache::report(const std::string& fault, const PipelineKey& key, const Shader& vertex,
+                           const Shader& fragment, const std::string& log) const {
+  const ShaderText texts[] = {{vertex.kind, vertex.key}, {fragment.kind, fragment.key}};
+  reportFailure(device_, fault, texts, describe(key, device_.features()), log);
 }
 
 bool PipelineCache::create(const PipelineKey& key, const Shader& vertex, const Shader& fragment, Made& made) {
@@ -241,12 +259,16 @@ bool PipelineCache::create(const PipelineKey& key, const Shader& vertex, const S
   return made.pipeline;
 }
 
-VkPipeline PipelineCache::get(const PipelineKey& key, const Shader& vertex, const Shader& fragment) {
+VkPipeline PipelineCache::get(const PipelineKey& key, const Shader& vertex, const Shader& fragment,
+                              Counted counted) {
   Made& made = pipelines_.get(key, [&](const PipelineKey&, Made& value) {
-    ++awaited_;
-    return create(key, vertex, fragment, value);
+    const bool good = create(key, vertex, fragment, value);
+    awaited_ += counted == Counted::Yes;
+    created_ += good && counted == Counted::Yes;
+    return good;
   });
-  if (made.pipeline && !made.used.load(std::memory_order_relaxed) && !made.used.exchange(true))
+  if (made.pipeline && counted == Counted::Yes && !made.used.load(std::memory_order_relaxed) &&
+      !made.used.exchange(true))
     noteUse(key, vertex, fragment, made.microseconds);
   return made.pipeline;
 }
@@ -255,6 +277,7 @@ bool PipelineCache::makeAhead(const PipelineKey& key, const Shader& vertex, cons
   const Made& made = pipelines_.get(key, [&](const PipelineKey&, Made& value) {
     const bool good = create(key, vertex, fragment, value);
     ahead_ += good;
+    created_ += good;
     return good;
   });
   return made.pipeline;

@@ -4,13 +4,14 @@
 #include <volk.h>
 
 #include <atomic>
+#include <string>
 
 #include "layer/vulkan/made_once.h"
 #include "layer/vulkan/pipeline_key.h"
+#include "layer/vulkan/shader_library.h"
 
 namespace anteroom::vulkan {
 
-struct Shader;
 class VulkanDevice;
 
 // Thread-safe. Pipelines live as long as the device.
@@ -20,7 +21,8 @@ class PipelineCache {
   ~PipelineCache();
 
   // For a draw: waits when another thread is making this one. Null: out of memory.
-  VkPipeline get(const PipelineKey& key, const Shader& vertex, const Shader& fragment);
+  VkPipeline get(const PipelineKey& key, const Shader& vertex, const Shader& fragment,
+                 Counted counted = Counted::Yes);
   // Before any draw asks; the program is not said to need it. False: out of memory.
   bool makeAhead(const PipelineKey& key, const Shader& vertex, const Shader& fragment);
 
@@ -40,6 +42,8 @@ class PipelineCache {
   };
   bool create(const PipelineKey& key, const Shader& vertex, const Shader& fragment, Made& made);
   VkPipeline create(const PipelineKey& key, const Shader& vertex, const Shader& fragment);
+  void report(const std::string& fault, const PipelineKey& key, const Shader& vertex, const Shader& fragment,
+              const std::string& log) const;
   void noteUse(const PipelineKey& key, const Shader& vertex, const Shader& fragment, int64_t microseconds);
 
   VulkanDevice& device_;

@@ -57,6 +57,7 @@ render::Presented VulkanContext::present(render::Window& target, std::span<const
     if (!kept || !copyStore(shown, kept, window.extent())) return render::Presented::OutOfMemory;
     picture.setStore(std::move(kept));
   }
+  if (window.hud() && !drawHud(window)) return render::Presented::OutOfMemory;
   if (!leaveForPresentation(shown) || !submit(window.semaphore())) return render::Presented::OutOfMemory;
   return window.present(damage);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "gen/ati.h"
 #include "layer/vulkan/device.h"
@@ -69,7 +70,23 @@ VkSampler SamplerCache::create(const Key& key) {
   if (device_.fn().vkCreateSampler(device_.handle(), &info, nullptr, &sampler) != VK_SUCCESS)
     return VK_NULL_HANDLE;
   device_.countObject();
+  if (device_.labels().nameAll()) name(sampler, key);
   return sampler;
+}
+
+// "min linear, mag linear, mip nearest of 10 levels, repeat x repeat"
+void SamplerCache::name(VkSampler sampler, const Key& key) const {
+  constexpr const char* kFilters[] = {"nearest", "linear"};
+  constexpr const char* kWraps[] = {"repeat", "mirrored repeat", "clamp to edge", "clamp to border",
+                                    "mirror clamp to edge"};
+  std::string text = std::string("min ") + kFilters[key.minLinear] + ", mag " + kFilters[key.magLinear];
+  if (key.mips)
+    text.append(", mip ").append(kFilters[key.mipLinear]).append(" of ") +=
+        std::to_string(key.maxLevel + 1) + " levels";
+  text.append(", ").append(kWraps[key.wrap[0]]).append(" x ").append(kWraps[key.wrap[1]]);
+  if (key.anisotropy > 1) text += ", anisotropy " + std::to_string(key.anisotropy);
+  if (key.lodBias) text += ", bias " + std::to_string(key.lodBias / 256.0);
+  device_.labels().name(VK_OBJECT_TYPE_SAMPLER, sampler, text);
 }
 
 VkSampler SamplerCache::get(const render::Sampler& sampler, int levels, float lodBias) {

@@ -38,6 +38,7 @@ class SamplerCache {
   Key canonical(const render::Sampler& sampler, int levels, float lodBias) const;
   VkSamplerAddressMode wrap(GLenum mode) const;
   VkSampler create(const Key& key);
+  void name(VkSampler sampler, const Key& key) const;
 
   VulkanDevice& device_;
   std::mutex mutex_;

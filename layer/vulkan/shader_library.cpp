@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
+#include <string>
 #include <string_view>
 #include <thread>
 
@@ -12,6 +12,7 @@
 #include "gen/cache/shader_cache.h"
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/no_fork.h"
+#include "layer/vulkan/shader_dump.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -27,7 +28,8 @@ class WarmUp {
 #ifdef __GLIBC__
           malloc_trim(0);  // the compiler's tables leave more behind than they keep
 #endif
-        })) {}
+        })) {
+  }
   ~WarmUp() {
     if (getpid() != process_)
       gen::forget(thread_);
@@ -60,15 +62,14 @@ void ShaderLibrary::warmUp() {
 }
 
 std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes key) {
-  ++compiled_;
   const auto start = std::chrono::steady_clock::now();
   const NoFork noFork;
   std::string glsl = gen::emit(kind, key);
   gen::CompileResult result = gen::compile(gen::stageOf(kind), glsl);
   const auto time = std::chrono::steady_clock::now() - start;
   if (result.spirv.empty()) {
-    std::fprintf(stderr, "anteroom: a shader does not compile: please report this\n%s\n%s\n", glsl.c_str(),
-                 result.log.c_str());
+    const ShaderText text{kind, key};
+    reportFailure(device_, "glslang refuses a shader", {&text, 1}, {}, result.log);
     return {};
   }
   const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(time).count();
@@ -76,20 +77,36 @@ std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes ke
   return std::move(result.spirv);
 }
 
-void ShaderLibrary::create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader) {
+void ShaderLibrary::create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader, Counted counted) {
   shader.kind = kind;
   shader.key = key;
   std::vector<uint32_t> spirv = gen::ShaderCache::process().find(kind, key);
-  if (!spirv.empty()) ++fromCache_;
-  if (spirv.empty()) spirv = compile(kind, key);
+  const bool cached = !spirv.empty();
+  if (!cached) spirv = compile(kind, key);
+  if (counted == Counted::Yes) ++(cached ? fromCache_ : compiled_);
   if (spirv.empty()) return;
+  dumpShader(device_, {kind, key});
+  shader.module = createModule(spirv, {kind, key});
+  if (shader.module) shader.id = nextId_++;
+}
+
+// Null: out of memory, or the driver refuses it.
+VkShaderModule ShaderLibrary::createModule(const std::vector<uint32_t>& spirv, const ShaderText& text) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = spirv.size() * sizeof(uint32_t);
   info.pCode = spirv.data();
-  if (device_.fn().vkCreateShaderModule(device_.handle(), &info, nullptr, &shader.module) != VK_SUCCESS)
-    return;
+  VkShaderModule module = VK_NULL_HANDLE;
+  const ValidationScope validation;
+  const VkResult result = device_.fn().vkCreateShaderModule(device_.handle(), &info, nullptr, &module);
+  if (isFault(result))
+    reportFailure(device_, "the driver refuses a shader, VkResult " + std::to_string(result), {&text, 1}, {},
+                  validation.messages());
+  else if (!validation.messages().empty())
+    reportFailure(device_, "validation finds fault with a shader", {&text, 1}, {}, validation.messages());
+  if (result != VK_SUCCESS) return VK_NULL_HANDLE;
   device_.countObject();
-  shader.id = nextId_++;
+  if (device_.labels().nameAll()) device_.labels().name(VK_OBJECT_TYPE_SHADER_MODULE, module, describe(text));
+  return module;
 }
 
 const Shader* ShaderLibrary::get(const gen::VertexKey& key) {
@@ -108,10 +125,10 @@ const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
   return shader.module ? &shader : nullptr;
 }
 
-const Shader* ShaderLibrary::get(gen::Stage stage, const char* text) {
+const Shader* ShaderLibrary::get(gen::Stage stage, const char* text, Counted counted) {
   const Shader& shader = own_.get(text, [&](const char* kept, Shader& made) {
     const auto kind = stage == gen::Stage::Vertex ? gen::KeyKind::VertexText : gen::KeyKind::FragmentText;
-    create(kind, std::as_bytes(std::span(std::string_view(kept))), made);
+    create(kind, std::as_bytes(std::span(std::string_view(kept))), made, counted);
     return true;
   });
   return shader.module ? &shader : nullptr;

@@ -15,6 +15,7 @@
 namespace anteroom::vulkan {
 
 class VulkanDevice;
+struct ShaderText;
 
 struct Shader {
   VkShaderModule module = VK_NULL_HANDLE;
@@ -30,6 +31,10 @@ struct OwnShader {
 };
 // All that there are.
 std::span<const OwnShader> ownShaders();
+extern const char kHudFragment[];  // hud.cpp
+
+// Whether statistics tell of what is made, and a later run makes it ahead.
+enum class Counted : bool { No, Yes };
 
 // Thread-safe. Shaders live as long as the device; a pointer to one stays valid.
 class ShaderLibrary {
@@ -47,7 +52,7 @@ class ShaderLibrary {
   const Shader* get(const gen::VertexKey& key);
   const Shader* get(const gen::FragmentKey& key);
   // One of ownShaders().
-  const Shader* get(gen::Stage stage, const char* text);
+  const Shader* get(gen::Stage stage, const char* text, Counted counted = Counted::Yes);
   // By gen::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
   const Shader* get(gen::Stage stage, const std::string& words);
 
@@ -62,7 +67,8 @@ class ShaderLibrary {
   template <class Key>
   using Map = MadeOnce<Key, Shader, KeyHash<Key>>;
 
-  void create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader);
+  void create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
+  VkShaderModule createModule(const std::vector<uint32_t>& spirv, const ShaderText& text);
   // Empty: it does not compile.
   std::vector<uint32_t> compile(gen::KeyKind kind, gen::KeyBytes key);
 

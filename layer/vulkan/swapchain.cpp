@@ -1,6 +1,7 @@
 #include "layer/vulkan/swapchain.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "layer/vulkan/device.h"
@@ -53,6 +54,8 @@ VkResult Swapchain::createImages() {
     store->format = desc_.format.format;
     store->aspects = VK_IMAGE_ASPECT_COLOR_BIT;
     store->id = newStoreId();
+    if (device_.labels().nameAll())
+      device_.labels().name(VK_OBJECT_TYPE_IMAGE, store->image, "window, image " + std::to_string(i));
     images_[i].store = std::move(store);
     if ((result = createSemaphore(images_[i].drawn)) != VK_SUCCESS) return result;
     if ((result = createSemaphore(images_[i].ready)) != VK_SUCCESS) return result;

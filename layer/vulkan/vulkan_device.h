@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "layer/render/debug_options.h"
 #include "layer/render/renderer.h"
 
 namespace anteroom::gen {
@@ -15,9 +16,9 @@ struct PipelineRow;
 namespace anteroom::vulkan {
 
 struct DeviceOptions {
-  std::string preferred;    // part of a device name, or an index; empty: the best there is
-  bool validation = false;  // the Khronos layer; every message is logged, and counted
-  bool minimal = false;     // pretend that the device has only Vulkan 1.1 and no optional extension
+  std::string preferred;       // part of a device name, or an index; empty: the best there is
+  render::DebugOptions debug;  // messages of the validation layer are counted, too
+  bool minimal = false;        // pretend that the device has only Vulkan 1.1 and no optional extension
   std::optional<render::WindowSystem> windows = std::nullopt;  // whose windows will be drawn to
 };
 

@@ -236,6 +236,14 @@ const std::shared_ptr<ImageStore>* VulkanWindow::shown() const {
   return swapchain_ && swapchain_->acquired() ? &swapchain_->store() : nullptr;
 }
 
+const std::shared_ptr<render::Image>& VulkanWindow::overlay() {
+  if (!overlay_ || overlay_->desc().width != image_->desc().width ||
+      overlay_->desc().height != image_->desc().height)
+    overlay_ = std::make_shared<VulkanImage>(device_, image_->desc(), format_);
+  vulkan(*overlay_).setStore(swapchain_->store());
+  return overlay_;
+}
+
 // Of a window without pixels: those it had.
 VkExtent2D VulkanWindow::extent() const {
   if (!image_) return {1, 1};

@@ -28,12 +28,16 @@ class VulkanWindow final : public render::Window {
   int age() const override { return age_; }
   void setInterval(int interval) override { interval_ = interval; }
   void setPreserved(bool preserved) override { preserved_ = preserved; }
+  void setHud(const render::Hud* hud) override { hud_ = hud; }
 
   // For VulkanContext::present. The picture is in drawn(), and goes to shown(): it lies there, unless
   // pictures are kept. Null: nothing can be seen of the window.
   VulkanImage& drawn() const { return vulkan(*image_); }
   const std::shared_ptr<ImageStore>* shown() const;
   bool preserved() const { return preserved_; }
+  const render::Hud* hud() const { return hud_; }
+  // An image of shown(), to be drawn over.
+  const std::shared_ptr<render::Image>& overlay();
   VkExtent2D extent() const;
   VkSemaphore semaphore() const { return swapchain_->drawn(); }
   // shown() has been submitted.
@@ -62,6 +66,8 @@ class VulkanWindow final : public render::Window {
   std::vector<VkPresentModeKHR> modes_;
   std::unique_ptr<Swapchain> swapchain_;  // null: lost, or without pixels
   std::shared_ptr<render::Image> image_, samples_;
+  std::shared_ptr<render::Image> overlay_;  // made for the first HUD
+  const render::Hud* hud_ = nullptr;
   uint32_t wantedWidth_ = 0, wantedHeight_ = 0;  // 0: the window system knows
   bool suspect_ = false;                         // the swapchain may no longer fit
   bool preserved_ = false;

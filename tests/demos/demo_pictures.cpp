@@ -111,7 +111,7 @@ TEST_P(DemoPictures, AreTheReferenceRenderers) {
   const process::TemporaryDirectory folder;
   const std::string ours = folder.path() + "/ours";
   const std::string reference = folder.path() + "/reference";
-  const Picture got = draw(GetParam(), ours, {{"ANTEROOM_VALIDATION", "fatal"}});
+  const Picture got = draw(GetParam(), ours, {{"ANTEROOM_DEBUG", "validation=fatal"}});
   const Picture wanted = draw(GetParam(), reference, {{"ANTEROOM_RENDERER", "reference"}});
   ASSERT_EQ(wanted.width, 64);
   ASSERT_EQ(wanted.height, 48);

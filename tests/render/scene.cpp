@@ -7,7 +7,7 @@ namespace {
 
 std::unique_ptr<render::Device> make(bool minimal, bool validation) {
   vulkan::DeviceOptions options;
-  options.validation = validation;
+  if (validation) options.debug.validation = render::DebugOptions::Validation::Log;
   options.minimal = minimal;
   std::string error;
   auto device = vulkan::createDevice(options, error);
