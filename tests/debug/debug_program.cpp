@@ -1,6 +1,9 @@
 // What a person who debugs would look at: small programs of GL, chosen by the first argument.
 #define EGL_EGLEXT_PROTOTYPES
 #define GL_GLEXT_PROTOTYPES
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+// Before those of EGL, which name its types.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GLES/gl.h>
@@ -22,10 +25,38 @@ EGLSurface surface;
 EGLContext context;
 int width = 64, height = 64;
 
+Display* server;  // null: no windows
+Window window;
+
+EGLSurface createSurface(EGLConfig config) {
+  if (server == nullptr) {
+    const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
+    return eglCreatePbufferSurface(display, config, size);
+  }
+  EGLint visual = 0, count = 0;
+  eglGetConfigAttrib(display, config, EGL_NATIVE_VISUAL_ID, &visual);
+  XVisualInfo wanted{};
+  wanted.visualid = static_cast<VisualID>(visual);
+  XVisualInfo* const info = XGetVisualInfo(server, VisualIDMask, &wanted, &count);
+  if (info == nullptr) return EGL_NO_SURFACE;
+  const Window root = DefaultRootWindow(server);
+  XSetWindowAttributes attributes{};
+  attributes.override_redirect = True;
+  attributes.colormap = XCreateColormap(server, root, info->visual, AllocNone);
+  window = XCreateWindow(server, root, 10, 10, static_cast<unsigned>(width), static_cast<unsigned>(height), 0,
+                         info->depth, InputOutput, info->visual,
+                         CWOverrideRedirect | CWColormap | CWBorderPixel, &attributes);
+  XFree(info);
+  XMapWindow(server, window);
+  XSync(server, False);
+  return eglCreateWindowSurface(display, config, window, nullptr);
+}
+
 void start() {
-  display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+  display = server ? eglGetPlatformDisplay(EGL_PLATFORM_X11_KHR, server, nullptr)
+                   : eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   eglInitialize(display, nullptr, nullptr);
-  const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+  const EGLint wanted[] = {EGL_SURFACE_TYPE, server ? EGL_WINDOW_BIT : EGL_PBUFFER_BIT,
                            EGL_RED_SIZE,     8,
                            EGL_GREEN_SIZE,   8,
                            EGL_BLUE_SIZE,    8,
@@ -35,8 +66,7 @@ void start() {
   EGLConfig config;
   EGLint count = 0;
   eglChooseConfig(display, wanted, &config, 1, &count);
-  const EGLint size[] = {EGL_WIDTH, width, EGL_HEIGHT, height, EGL_NONE};
-  surface = eglCreatePbufferSurface(display, config, size);
+  surface = createSurface(config);
   context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
   if (count != 1 || !eglMakeCurrent(display, surface, surface, context)) {
     std::puts("no context");
@@ -72,8 +102,8 @@ std::vector<GLubyte> pixels() {
   return all;
 }
 
-void writePicture(const char* path) {
-  const std::vector<GLubyte> all = pixels();
+// Rows from the lowest.
+void writePicture(const char* path, const std::vector<GLubyte>& all) {
   std::FILE* file = std::fopen(path, "wb");
   if (!file) std::exit(3);
   std::fprintf(file, "P6\n%d %d\n255\n", width, height);
@@ -92,7 +122,7 @@ void pictures(char** arguments) {
     glViewport(0, 0, width, height);
     eglSwapBuffers(display, surface);
   }
-  writePicture(arguments[0]);
+  writePicture(arguments[0], pixels());
   for (EGLint i = 0; i < kCounters; ++i) {
     EGLint value = -1;
     eglQueryContext(display, context, kFirstCounter + i, &value);
@@ -100,6 +130,53 @@ void pictures(char** arguments) {
   }
   std::printf("error 0x%x\n", glGetError());
   finish();
+}
+
+std::vector<GLubyte> pixelsOfScreen() {
+  std::vector<GLubyte> all(static_cast<size_t>(width) * static_cast<size_t>(height) * 4);
+  XImage* const image = XGetImage(server, window, 0, 0, static_cast<unsigned>(width),
+                                  static_cast<unsigned>(height), AllPlanes, ZPixmap);
+  if (image == nullptr) std::exit(4);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const unsigned long pixel = XGetPixel(image, x, y);
+      GLubyte* const to = &all[static_cast<size_t>((height - 1 - y) * width + x) * 4];
+      for (int i = 0; i < 3; ++i) to[i] = static_cast<GLubyte>(pixel >> (16 - 8 * i));
+    }
+  XDestroyImage(image);
+  return all;
+}
+
+// window SCREEN PICTURE WIDTH HEIGHT FRAMES: what a window shows after so many swaps, and what the program
+// then has of a picture that is kept.
+int showWindow(char** arguments) {
+  server = XOpenDisplay(nullptr);
+  if (server == nullptr) return 5;
+  width = std::atoi(arguments[2]);
+  height = std::atoi(arguments[3]);
+  start();
+  if (!eglSurfaceAttrib(display, surface, EGL_SWAP_BEHAVIOR, EGL_BUFFER_PRESERVED)) return 6;
+  for (int i = 0; i < std::atoi(arguments[4]); ++i) {
+    drawScene(0);
+    eglSwapBuffers(display, surface);
+  }
+  glFinish();
+  XSync(server, False);
+  writePicture(arguments[0], pixelsOfScreen());
+  writePicture(arguments[1], pixels());
+  // A picture that is not kept, and how old it is said to be.
+  eglSurfaceAttrib(display, surface, EGL_SWAP_BEHAVIOR, EGL_BUFFER_DESTROYED);
+  for (int i = 0; i < 4; ++i) {
+    drawScene(0);
+    eglSwapBuffers(display, surface);
+  }
+  EGLint age = -1;
+  drawScene(0);
+  eglQuerySurface(display, surface, EGL_BUFFER_AGE_EXT, &age);
+  std::printf("age %d\nerror 0x%x\n", age, glGetError());
+  finish();
+  XCloseDisplay(server);
+  return 0;
 }
 
 // What <GLES/glext.h> does not declare.
@@ -193,6 +270,7 @@ void leave() {
   start();
   drawScene(0);
   eglSwapBuffers(display, surface);
+  glFinish();
 }
 
 }  // namespace
@@ -201,6 +279,8 @@ int main(int count, char** arguments) {
   const std::string verb = count > 1 ? arguments[1] : "";
   if (verb == "pictures" && count == 6)
     pictures(arguments + 2);
+  else if (verb == "window" && count == 7)
+    return showWindow(arguments + 2);
   else if (verb == "groups")
     groups();
   else if (verb == "broken")

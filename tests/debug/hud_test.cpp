@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <sstream>
 
 #include "tests/debug/harness.h"
@@ -88,19 +89,24 @@ struct Shown {
   std::string output;
 };
 
+Picture pictureOf(const std::string& file) {
+  Picture picture;
+  std::istringstream stream(contentsOf(file));
+  std::string magic;
+  int most = 0;
+  stream >> magic >> picture.width >> picture.height >> most;
+  stream.get();
+  picture.pixels.assign(std::istreambuf_iterator<char>(stream), {});
+  return picture;
+}
+
 Shown show(const char* hud, int width, int height, process::Environment more = {}) {
   const process::TemporaryDirectory folder;
   const std::string file = folder.path() + "/picture.ppm";
   more["ANTEROOM_HUD"] = hud;
   const Ended run = runProgram({"pictures", file, std::to_string(width), std::to_string(height), "3"}, more);
   EXPECT_EQ(run.status, 0) << run.output;
-  Shown shown{{}, run.output};
-  std::istringstream stream(contentsOf(file));
-  std::string magic;
-  int most = 0;
-  stream >> magic >> shown.picture.width >> shown.picture.height >> most;
-  stream.get();
-  shown.picture.pixels.assign(std::istreambuf_iterator<char>(stream), {});
+  Shown shown{pictureOf(file), run.output};
   EXPECT_EQ(shown.picture.pixels.size(), static_cast<size_t>(width) * static_cast<size_t>(height) * 3);
   return shown;
 }
@@ -149,6 +155,41 @@ INSTANTIATE_TEST_SUITE_P(Profiles, HudOn, testing::Values("0", "1"));
 TEST(Hud, LeavesPbuffersAloneUnlessAsked) {
   EXPECT_EQ(show("all", 64, 64).picture.pixels, show("", 64, 64).picture.pixels);
 }
+
+class HudOnWindows : public testing::TestWithParam<const char*> {};
+
+// It is on the screen, and not in the picture that the program goes on with; whose age no program should
+// trust.
+TEST_P(HudOnWindows, IsOnTheScreenAlone) {
+  if (!std::getenv("DISPLAY")) GTEST_SKIP() << "there is no X server";
+  const process::TemporaryDirectory folder;
+  const auto screenAndPicture = [&](const char* hud, std::string& output) {
+    const Ended run = runProgram(
+        {"window", folder.path() + "/screen.ppm", folder.path() + "/picture.ppm", "320", "240", "3"},
+        {{"ANTEROOM_HUD", hud}, {"ANTEROOM_MINIMAL", GetParam()}});
+    EXPECT_EQ(run.status, 0) << run.output;
+    output = run.output;
+    return std::pair(pictureOf(folder.path() + "/screen.ppm"), pictureOf(folder.path() + "/picture.ppm"));
+  };
+  std::string plainOutput, output;
+  const auto [plainScreen, plain] = screenAndPicture("", plainOutput);
+  const auto [screen, picture] = screenAndPicture("draws,cache", output);
+  ASSERT_EQ(plainScreen.pixels.size(), 320u * 240 * 3);
+  EXPECT_EQ(plain.pixels, plainScreen.pixels);
+  EXPECT_EQ(picture.pixels, plain.pixels);
+  int changed = 0, outside = 0;
+  for (int y = 0; y < 240; ++y)
+    for (int x = 0; x < 320; ++x) {
+      const bool inside = x >= 4 && x < 4 + 153 && y >= 4 && y < 4 + 31;
+      (inside ? changed : outside) += screen.at(x, y) != plainScreen.at(x, y);
+    }
+  EXPECT_GT(changed, 153 * 31 * 9 / 10);
+  EXPECT_EQ(outside, 0);
+  EXPECT_EQ(output, "age 0\nerror 0x0\n");
+  EXPECT_NE(plainOutput, output);
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, HudOnWindows, testing::Values("0", "1"));
 
 }  // namespace
 }  // namespace anteroom::test

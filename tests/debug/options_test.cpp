@@ -73,7 +73,8 @@ TEST(DebugOptions, ErrorsAreLoggedWithCommandAndReason) {
 }
 
 TEST(DebugOptions, StatsAreLoggedWhenAContextEnds) {
-  const process::Environment on{{"ANTEROOM_DEBUG", "validation=fatal,stats"}};
+  // Without the validation layer: it does not outlive what an exit may still do.
+  const process::Environment on{{"ANTEROOM_DEBUG", "stats"}};
   for (const char* verb : {"groups", "leave"}) {
     const Ended run = runProgram({verb}, on);
     EXPECT_EQ(run.status, 0) << run.output;

@@ -93,6 +93,7 @@ void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuf
   context.framebuffer = framebuffer == nullptr ? render::Framebuffer{} : *framebuffer;
 }
 void expireDefaultFramebuffer(Context&, void (*)(const egl::Binding&), const egl::Binding*) {}
+void drawHud(Context&, const render::Framebuffer&, const render::Hud&) {}
 bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>& image, bool) {
   context.texture = image;
   return true;
