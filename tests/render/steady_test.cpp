@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "layer/render/hud.h"
 #include "tests/render/scene.h"
 
 namespace {
@@ -61,6 +62,37 @@ TEST_P(Steady, FramesAllocateNothing) {
   EXPECT_EQ(after.draws - before.draws, 100u * 200u);
   EXPECT_EQ(after.submits - before.submits, 100u);
   EXPECT_EQ(after.renderPasses - before.renderPasses, 100u);
+}
+
+// Nor does the HUD; and of its pass and its pipeline no number tells.
+TEST_P(Steady, HudAllocatesNothingAndCountsAsNothing) {
+  Scene scene(device(GetParam(), false), 256, 64, render::Format::RGBA8, render::Format::None, 1);
+  Scene other(device(GetParam(), false), 256, 64, render::Format::RGBA8, render::Format::None, 1);
+  render::Hud hud;
+  hud.lines = 2;
+  hud.graphLine = 1;
+  for (render::Hud::Line& line : hud.text) line.fill('8');
+  const auto frame = [&](bool withHud) {
+    scene.clear(GL_COLOR_BUFFER_BIT, 0.5f, 0.5f, 0.5f);
+    scene.cover();
+    // A pass of its own.
+    if (withHud) scene.context->drawHud(other.state.framebuffer, hud);
+    scene.context->flush();
+  };
+  frame(false);
+  const render::Stats first = scene.context->stats();
+  for (int i = 0; i < 300; ++i) frame(true);  // until the streams are as large as they need to be
+  scene.context->finish();
+  const render::Stats before = scene.context->stats();
+  const uint64_t allocationsBefore = allocations;
+  for (int i = 0; i < 100; ++i) frame(true);
+  EXPECT_EQ(allocations - allocationsBefore, 0u);
+  const render::Stats after = scene.context->stats();
+  EXPECT_EQ(after.vulkanObjectsCreated, before.vulkanObjectsCreated);
+  EXPECT_EQ(after.renderPasses - before.renderPasses, 100u);
+  EXPECT_EQ(after.draws - before.draws, 100u);
+  EXPECT_EQ(after.pipelinesCreated, first.pipelinesCreated);
+  EXPECT_EQ(after.shadersCompiled + after.shadersFromCache, first.shadersCompiled + first.shadersFromCache);
 }
 
 INSTANTIATE_TEST_SUITE_P(Profiles, Steady, testing::Values(false, true), profileName);
