@@ -2,7 +2,9 @@
 // time.
 #include <dirent.h>
 
+#include <atomic>
 #include <fstream>
+#include <thread>
 
 #include "window_fixture.h"
 
@@ -116,6 +118,29 @@ TEST_P(LostWindows, WithPreservedContents) {
   ASSERT_TRUE(drawsAndShows(target));
   target.native->destroy();
   drawLost(target);
+}
+
+TEST_P(LostWindows, WhileAnotherThreadDraws) {
+  if (onWayland()) GTEST_SKIP() << "a wl_egl_window belongs to one thread";
+  const EGLConfig config = windowConfig({EGL_DEPTH_SIZE, 16});
+  for (int times = 0; times < 4; ++times) {
+    Target& target = open(config);
+    const EGLContext own = context(config);
+    std::atomic<int> frames = 0;
+    std::thread drawing([&] {
+      eglBindAPI(EGL_OPENGL_ES_API);
+      EXPECT_TRUE(makeCurrent(target, own));
+      eglSwapInterval(display_, 0);
+      for (; frames < 60; ++frames) {
+        drawPicture(64, 48, frames);
+        swapLost(target);
+      }
+      eglReleaseThread();
+    });
+    while (frames < 10 + 5 * times) std::this_thread::yield();
+    target.native->destroy();
+    drawing.join();
+  }
 }
 
 TEST_P(LostWindows, FollowedByOthers) {
@@ -279,6 +304,27 @@ TEST_P(ClosedConnections, ExitWithoutTerminate) {
         program.window.reset();
         program.native.reset();
         std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
+}
+
+// The server ends the connection. Xlib would end the program.
+TEST_P(ClosedConnections, CutByTheServer) {
+  if (GetParam() != Platform::Xcb) GTEST_SKIP() << "not with this library";
+  EXPECT_EXIT(
+      {
+        Program program(GetParam());
+        NativeDisplay::open(GetParam())->cut(*program.window);
+        for (int frame = 0; frame < 5; ++frame) {
+          drawPicture(64, 48, frame);
+          readPixels(0, 0, 64, 48);
+          if (!eglSwapBuffers(program.egl, program.surface) && eglGetError() != EGL_BAD_NATIVE_WINDOW)
+            std::exit(5);
+        }
+        program.release();
+        eglDestroySurface(program.egl, program.surface);
+        eglTerminate(program.egl);
+        std::_Exit(0);
       },
       testing::ExitedWithCode(0), "");
 }

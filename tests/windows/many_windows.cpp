@@ -1,4 +1,7 @@
 // EGL 1.5 section 3.7.3: several windows, contexts and threads at once.
+#include <atomic>
+#include <chrono>
+#include <random>
 #include <thread>
 
 #include "window_fixture.h"
@@ -173,6 +176,43 @@ TEST_P(ManyWindows, HandedFromThreadToThread) {
     ASSERT_TRUE(result) << turn;
     EXPECT_EQ(query(target, EGL_WIDTH), width);
   }
+}
+
+// The server tells a thread that draws of another size at any moment.
+TEST_P(ManyWindows, ResizedByAnotherThread) {
+  if (onWayland()) GTEST_SKIP() << "a wl_egl_window belongs to one thread";
+  const EGLConfig config = windowConfig({EGL_DEPTH_SIZE, 16});
+  Target& target = open(config);
+  const EGLContext own = context(config);
+  std::atomic<bool> done = false;
+  int faults = 0, frames = 0;
+  std::thread drawing([&] {
+    eglBindAPI(EGL_OPENGL_ES_API);
+    faults += !makeCurrent(target, own);
+    eglSwapInterval(display_, 0);
+    for (; !done; ++frames) {
+      drawPicture(query(target, EGL_WIDTH), query(target, EGL_HEIGHT), frames);
+      faults += !swap(target);
+    }
+    eglReleaseThread();
+  });
+  std::mt19937 random(9);
+  for (int i = 0; i < 150; ++i) {
+    target.native->resize(1 + int(random() % 300), 1 + int(random() % 200));
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
+  }
+  target.native->resize(90, 60);
+  done = true;
+  drawing.join();
+  EXPECT_EQ(faults, 0);
+  EXPECT_GT(frames, 0);
+  ASSERT_TRUE(makeCurrent(target, own));
+  for (int tries = 0; tries < 3; ++tries) {
+    drawPicture(query(target, EGL_WIDTH), query(target, EGL_HEIGHT));
+    ASSERT_TRUE(swap(target));
+  }
+  EXPECT_EQ(query(target, EGL_WIDTH), 90);
+  EXPECT_TRUE(drawsAndShows(target));
 }
 
 // 3.7.3: a window that another thread draws to.

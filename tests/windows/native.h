@@ -58,6 +58,8 @@ class NativeDisplay {
   };
   virtual ScreenSize screenSize() const = 0;
   virtual Image screen() = 0;
+  // Cuts another connection, by one of its windows; only X can.
+  virtual void cut(NativeWindow& window) = 0;
   // What the server complained of since the last call: requests that were not the program's to check.
   virtual std::vector<std::string> complaints() = 0;
 

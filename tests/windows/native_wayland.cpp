@@ -95,6 +95,8 @@ class WaylandDisplay final : public NativeDisplay {
     return image;
   }
 
+  void cut(NativeWindow&) override {}
+
   std::vector<std::string> complaints() override {
     roundtrip();
     if (const int error = wl_display_get_error(display_.get())) return {std::strerror(error)};

@@ -97,6 +97,10 @@ class X11Display final : public NativeDisplay {
                 visual(screen_->root_visual));
   }
 
+  void cut(NativeWindow& window) override {
+    finish(xcb_kill_client_checked(connection_, std::uint32_t(window.value())));
+  }
+
   std::vector<std::string> complaints() override {
     std::vector<std::string> result;
     if (xlib_) {

@@ -114,6 +114,49 @@ TEST_P(WindowPictures, NoAlphaIsOpaque) {
   EXPECT_TRUE(shows(*target.native, drawn));
 }
 
+// Alpha is kept for glReadPixels and blending. X shows colors whatever their alpha; Wayland shows what is
+// behind them, whose colors are premultiplied, unless EGL_EXT_present_opaque asks it not to.
+TEST_P(WindowPictures, Alpha) {
+  Target& behind = openCurrent();
+  ASSERT_TRUE(drawsAndShows(behind));
+  std::set<std::pair<int, bool>> seen;
+  for (EGLConfig config : windowConfigs({EGL_RED_SIZE, 8, EGL_ALPHA_SIZE, 8})) {
+    if (attribute(config, EGL_RED_SIZE) != 8) continue;
+    for (bool opaque : {false, true}) {
+      if (opaque && !has("EGL_EXT_present_opaque")) continue;
+      if (!seen.insert({native().visualDepth(fitting(config).visual), opaque}).second) continue;
+      SCOPED_TRACE(testing::Message()
+                   << "config " << attribute(config, EGL_CONFIG_ID) << " opaque " << opaque);
+      std::vector<EGLAttrib> attributes;
+      if (opaque) attributes = {EGL_PRESENT_OPAQUE_EXT, EGL_TRUE};
+      Target& target = open(config, {}, attributes);
+      const EGLContext own = context(config);
+      ASSERT_TRUE(makeCurrent(target, own));
+      if (has("EGL_EXT_present_opaque")) {
+        EXPECT_EQ(query(target, EGL_PRESENT_OPAQUE_EXT), opaque);
+      }
+      glClearColor(0.25f, 0.5f, 0, 0.5f);
+      glClear(GL_COLOR_BUFFER_BIT);
+      GLubyte pixel[4] = {};
+      glReadPixels(5, 6, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+      EXPECT_NEAR(pixel[3], 128, 1);
+      Image expected(64, 48);
+      for (Rgb& color : expected.pixels) color = {64, 128, 0};
+      const bool translucent = onWayland() && !opaque;
+      if (translucent) {
+        const Image below = picture(64, 48);
+        for (std::size_t i = 0; i < expected.pixels.size(); ++i)
+          for (std::size_t j = 0; j < 3; ++j)
+            expected.pixels[i][j] = std::uint8_t(expected.pixels[i][j] + below.pixels[i][j] / 2);
+      }
+      EXPECT_TRUE(swap(target));
+      EXPECT_TRUE(shows(*target.native, expected, 2));
+      eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+      close(target);
+    }
+  }
+}
+
 TEST_P(WindowPictures, SrgbColors) {
   if (!has("EGL_KHR_gl_colorspace")) GTEST_SKIP() << "no EGL_KHR_gl_colorspace";
   const EGLConfig config = windowConfig();
