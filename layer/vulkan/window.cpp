@@ -176,21 +176,19 @@ VkResult VulkanWindow::acquireImage() {
 }
 
 VkResult VulkanWindow::ready() {
-  VkResult result = VK_SUCCESS;
-  for (int i = 0; i < kTries; ++i) {
-    result = acquireImage();
-    if (result == VK_ERROR_OUT_OF_DATE_KHR) {
-      swapchain_.reset();
-    } else if (result == VK_SUBOPTIMAL_KHR) {
+  for (int tries = 1;; ++tries) {
+    const VkResult result = acquireImage();
+    if (result == VK_SUBOPTIMAL_KHR) {
       VkSurfaceCapabilitiesKHR can;
       if (capabilities(can) == VK_SUCCESS && same(nativeExtent(can), swapchain_->desc().extent))
         return VK_SUCCESS;
-      swapchain_.reset();
-    } else {
+    } else if (result != VK_ERROR_OUT_OF_DATE_KHR) {
       return result;
     }
+    swapchain_.reset();
+    // Resized faster than it is drawn: nobody sees this picture, and the next one finds its size.
+    if (tries == kTries) return VK_SUCCESS;
   }
-  return result;
 }
 
 void VulkanWindow::sizeImages(VkExtent2D extent) {
