@@ -1,11 +1,8 @@
 #include "window.h"
 
-#include <EGL/egl.h>
 #include <GLES/gl.h>
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#define GLFW_EXPOSE_NATIVE_EGL
-#include <GLFW/glfw3native.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -54,39 +51,6 @@ std::string glfwMessage() {
   return message != nullptr ? message : "no reason given";
 }
 
-// Of the display, or of the default one where there is none.
-std::string vendorOf(EGLDisplay display) {
-  if (display == EGL_NO_DISPLAY) {
-    display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
-    eglInitialize(display, nullptr, nullptr);
-  }
-  const char* vendor = eglQueryString(display, EGL_VENDOR);
-  return vendor != nullptr ? vendor : "unknown";
-}
-
-bool hasWindowConfig(EGLDisplay display) {
-  constexpr std::array<EGLint, 5> kWindows = {EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE,
-                                              EGL_OPENGL_ES_BIT, EGL_NONE};
-  EGLint count = 0;
-  return eglChooseConfig(display, kWindows.data(), nullptr, 0, &count) == EGL_TRUE && count > 0;
-}
-
-// Why GLFW got no context of EGL, and what helps.
-std::string noContextMessage() {
-  const std::string reason = glfwMessage();
-  const EGLDisplay display = glfwGetEGLDisplay();
-  if (display != EGL_NO_DISPLAY && hasWindowConfig(display)) {
-    return fmt::format("--window: no OpenGL ES 1.1 context: {}", reason);
-  }
-  return fmt::format(
-      "--window: this libEGL.so.1 (vendor {}) has no window surfaces for OpenGL ES 1.x: {}. Leave --window "
-      "out, or run on the system's libraries: LD_LIBRARY_PATH={}",
-      vendorOf(display),
-      display == EGL_NO_DISPLAY ? "it knows no display of the window system"
-                                : "none of its configs has EGL_WINDOW_BIT",
-      ROOMS_SYSTEM_LIBRARIES);
-}
-
 // Owns GLFW, a window and its context, current on the creating thread.
 class Window {
  public:
@@ -105,7 +69,7 @@ class Window {
     glfwWindowHint(GLFW_RESIZABLE, resizable ? GLFW_TRUE : GLFW_FALSE);
     window_ = glfwCreateWindow(size.width, size.height, "rooms", nullptr, nullptr);
     if (window_ == nullptr) {
-      const std::string message = noContextMessage();
+      const std::string message = fmt::format("--window: no OpenGL ES 1.1 context: {}", glfwMessage());
       glfwTerminate();
       throw UsageError(message);
     }

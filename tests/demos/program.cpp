@@ -46,6 +46,11 @@ TEST(RoomsProgram, RefusesWhatItDoesNotKnow) {
   }
 }
 
+TEST(RoomsProgram, RefusesWindowsWithoutAWindowSystem) {
+  const process::Environment none = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_RUNTIME_DIR", ""}};
+  EXPECT_EQ(process::run(ROOMS_PROGRAM, {"particles", "--window"}, none, kSeconds).status, 2);
+}
+
 TEST(RoomsProgram, ListsDemosAndStages) {
   const process::Outcome outcome = rooms({"--list"});
   EXPECT_EQ(outcome.status, 0);
