@@ -28,8 +28,8 @@ class NativeWindow {
   virtual bool size(EGLint& width, EGLint& height) const = 0;
   // Whether the images' size is what size() says, rather than something that the window system knows.
   virtual bool isSizedByProgram() const = 0;
-  // Where swapchains would wait for the screen with the device's queue in their hands: pace(), in their stead,
-  // waits before a picture is shown until the one before has been seen. Not under the lock.
+  // Where swapchains would wait for the screen with the device's queue in their hands: pace(), in their
+  // stead, waits before a picture is shown until the one before has been seen. Not under the lock.
   virtual bool isPaced() const { return false; }
   virtual void pace(EGLint /*interval*/) {}
   // False: gone for sure. From any thread; costs nothing.
