@@ -29,16 +29,19 @@ class Harness:
         self.preferred = []  # folders of libraries that go before all others
 
     def environment(self, implementation):
-        """For programs: anteroom, mesa (its own ES 1.1) or zink."""
+        """For programs: mesa (its own ES 1.1), zink, reference (our float64 renderer), else our libraries."""
         variables = {
             name: value
             for name, value in os.environ.items()
             if name not in ("EGL_PLATFORM", "LD_PRELOAD", "GALLIUM_DRIVER", "LIBGL_ALWAYS_SOFTWARE")
         }
+        system_wide = implementation in ("mesa", "zink")
         system = pathlib.Path(os.environ.get("ANTEROOM_SYSTEM_LIBRARIES", "/usr/lib/x86_64-linux-gnu"))
-        libraries = self.build / "lib" if implementation == "anteroom" else system
+        libraries = system if system_wide else self.build / "lib"
         variables["LD_LIBRARY_PATH"] = ":".join(str(folder) for folder in [*self.preferred, libraries])
-        if implementation != "anteroom":
+        if implementation == "reference":
+            variables["ANTEROOM_RENDERER"] = "reference"
+        if system_wide:
             variables["LIBGL_ALWAYS_SOFTWARE"] = "1"
             variables["GALLIUM_DRIVER"] = "zink" if implementation == "zink" else "llvmpipe"
         variables["SDL_VIDEODRIVER"] = self.platform
@@ -46,7 +49,7 @@ class Harness:
         variables["WAFFLE_PLATFORM"] = {"x11": "x11_egl"}.get(self.platform, self.platform)  # of eglretrace
         return variables
 
-    def run(self, implementation, *command, watched=None, statuses=(0,)):
+    def run(self, implementation, *command, watched=None, statuses=(0,), folder=None):
         """Standard output; the test fails where the program does. watched: what watch.cpp is told."""
         variables = self.environment(implementation)
         variables.update({name: str(value) for name, value in (watched or {}).items()})
@@ -55,7 +58,7 @@ class Harness:
             variables["WATCH_SCREEN"] = str(self.binaries / "programs_on_screen")
         command = [str(part) for part in command]
         done = subprocess.run(
-            command, env=variables, capture_output=True, text=True, timeout=SECONDS, check=False
+            command, env=variables, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False
         )
         if done.returncode not in statuses:
             sys.exit(f"on {implementation}: {command}: exit status {done.returncode}\n{done.stdout}{done.stderr}")

@@ -6,7 +6,8 @@
 //   0003-screen.png WATCH_STEP     milliseconds by which the time of SDL goes on whenever the program has
 //   seen to all events; SDL asks
 //                  it to end after the last frame to keep
-#include <EGL/egl.h>
+//   WATCH_LIGHT    by which the colors of all lights are multiplied, where the program is linked to
+//   libGLESv1_CM.so.1
 #include <GLES/gl.h>
 #include <GLFW/glfw3.h>
 #include <SDL.h>
@@ -144,6 +145,15 @@ EXPORTED void SDL_GL_SwapWindow(SDL_Window* window) {
   keepBackBuffer(width, height);
   next<decltype(&SDL_GL_SwapWindow)>("SDL_GL_SwapWindow")(window);
   Watch::instance().shown();
+}
+
+EXPORTED void glLightfv(GLenum light, GLenum name, const GLfloat* values) {
+  static const float factor = static_cast<float>(std::atof(environment("WATCH_LIGHT")));
+  const auto set = next<decltype(&glLightfv)>("glLightfv");
+  if (factor == 0 || (name != GL_AMBIENT && name != GL_DIFFUSE && name != GL_SPECULAR))
+    return set(light, name, values);
+  const GLfloat color[] = {factor * values[0], factor * values[1], factor * values[2], values[3]};
+  set(light, name, color);
 }
 
 EXPORTED Uint32 SDL_GetTicks() {
