@@ -169,7 +169,7 @@ std::vector<ColorBuffer> colorBuffers(const render::Caps& caps, const WindowSyst
     if (!isRenderable(caps, format)) continue;
     std::vector<Visual> visuals;
     if (system != nullptr && render::info(format).red == 8)
-      visuals = system->visuals(render::info(format).alpha != 0);
+      visuals = system->visuals(render::info(format).alpha != 0, caps);
     if (visuals.empty()) buffers.push_back({format, false, {}});
     for (const Visual& visual : visuals)
       (&visual == &visuals[0] ? buffers : more).push_back({format, true, visual});

@@ -125,7 +125,9 @@ class Wayland final : public WindowSystem, public std::enable_shared_from_this<W
 
   render::WindowSystem name() const override { return render::WindowSystem::Wayland; }
 
-  std::vector<Visual> visuals(bool alpha) const override { return {{0, EGL_NONE, alpha}}; }
+  std::vector<Visual> visuals(bool alpha, const render::Caps&) const override {
+    return {{0, EGL_NONE, alpha}};
+  }
 
   std::unique_ptr<NativeWindow> window(uintptr_t native, const Visual& visual) override {
     return platformWindow(reinterpret_cast<void*>(native), visual);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "layer/render/renderer.h"
 #include "layer/render/window.h"
 
 namespace anteroom::egl {
@@ -40,8 +41,8 @@ class WindowSystem {
  public:
   virtual ~WindowSystem() = default;
   virtual render::WindowSystem name() const = 0;
-  // For colors of 8 bits a component, the best first.
-  virtual std::vector<Visual> visuals(bool alpha) const = 0;
+  // For colors of 8 bits a component on such a device, the best first.
+  virtual std::vector<Visual> visuals(bool alpha, const render::Caps& caps) const = 0;
   // `native`: as eglCreateWindowSurface takes it. Throws EGL_BAD_NATIVE_WINDOW; EGL_BAD_MATCH where the
   // window has not the visual; EGL_BAD_ALLOC where it has a surface already.
   virtual std::unique_ptr<NativeWindow> window(uintptr_t native, const Visual& visual) = 0;

@@ -79,11 +79,12 @@ class X11 final : public WindowSystem, public std::enable_shared_from_this<X11> 
 
   render::WindowSystem name() const override { return render::WindowSystem::Xcb; }
 
-  std::vector<Visual> visuals(bool alpha) const override {
+  std::vector<Visual> visuals(bool alpha, const render::Caps& caps) const override {
     std::vector<Visual> found;
     // A window of the usual depth hides what is behind, whatever its colors' alpha.
     addVisual(24, found);
-    if (alpha) addVisual(32, found);
+    // Mesa's CPU driver sends pictures as if every window were 24 bits deep.
+    if (alpha && !caps.isCpu) addVisual(32, found);
     return found;
   }
 
