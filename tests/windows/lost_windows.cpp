@@ -122,6 +122,7 @@ TEST_P(LostWindows, WithPreservedContents) {
 
 TEST_P(LostWindows, WhileAnotherThreadDraws) {
   if (onWayland()) GTEST_SKIP() << "a wl_egl_window belongs to one thread";
+  MESA_DISAGREES("3.10.4", "an X error reaches the program");
   const EGLConfig config = windowConfig({EGL_DEPTH_SIZE, 16});
   for (int times = 0; times < 4; ++times) {
     Target& target = open(config);
@@ -311,6 +312,7 @@ TEST_P(ClosedConnections, ExitWithoutTerminate) {
 // The server ends the connection. Xlib would end the program.
 TEST_P(ClosedConnections, CutByTheServer) {
   if (GetParam() != Platform::Xcb) GTEST_SKIP() << "not with this library";
+  MESA_DISAGREES("3.10.4", "it waits for the server that is gone");
   EXPECT_EXIT(
       {
         Program program(GetParam());
