@@ -2,6 +2,8 @@
 #include <EGL/egl.h>
 #include <GLES/gl.h>
 #include <dlfcn.h>
+#include <pthread.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdlib>
@@ -36,10 +38,39 @@ void cleanUp() {
   }
 }
 
+// What is current can be drawn to.
+void draw() {
+  glClearColor(0, 1, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  GLubyte pixel[4] = {};
+  glReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  if (pixel[0] != 0 || pixel[1] != 255 || glGetError() != GL_NO_ERROR) std::_Exit(4);
+}
+
+void drawAndCleanUp() {
+  draw();
+  cleanUp();
+}
+
+// With nothing current any more, or with what somebody else left.
+void callAnything() {
+  glClear(GL_COLOR_BUFFER_BIT);
+  glFinish();
+  glGetError();
+  eglGetCurrentContext();
+  eglQueryString(display, EGL_VERSION);
+  eglWaitClient();
+}
+
+void exitAgain() {
+  draw();
+  std::exit(0);
+}
+
 struct AtStaticDestruction {
-  bool armed = false;
+  void (*does)() = nullptr;
   ~AtStaticDestruction() {
-    if (armed) cleanUp();
+    if (does) does();
   }
 } atStaticDestruction;
 
@@ -56,26 +87,72 @@ bool loadsLate() {
   return makeCurrent() && isLoaded("libanteroom.so.0");
 }
 
+// Its destructor is called when the thread ends, before the thread gives back what is current.
+struct AtThreadsEnd {
+  ~AtThreadsEnd() { draw(); }
+};
+
+// The context that an ended thread had is free.
+bool canHave(EGLContext context, EGLSurface surface) {
+  return eglMakeCurrent(display, surface, surface, context) == EGL_TRUE;
+}
+
+EGLContext context = EGL_NO_CONTEXT;
+EGLSurface surface = EGL_NO_SURFACE;
+
+// The first thread ends by itself, the process with the last one.
+int endFirstThread() {
+  if (!makeCurrent()) return 1;
+  context = eglGetCurrentContext();
+  surface = eglGetCurrentSurface(EGL_DRAW);
+  static const pthread_t first = pthread_self();
+  std::thread([] {
+    if (pthread_join(first, nullptr) != 0 || !canHave(context, surface)) std::_Exit(5);
+    draw();
+    std::exit(0);
+  }).detach();
+  pthread_exit(nullptr);
+}
+
+int inThread(bool (*body)(), bool exits) {
+  bool made = false;
+  std::thread([&] {
+    made = body();
+    if (exits) std::exit(made ? 0 : 1);
+  }).join();
+  return made ? 0 : 1;
+}
+
+bool makeAndWatchEnd() {
+  static thread_local AtThreadsEnd end;
+  static_cast<void>(end);
+  return makeCurrent();
+}
+
 int run(const char* how) {
   const auto is = [=](const char* name) { return std::strcmp(how, name) == 0; };
   if (is("no-display")) return eglGetDisplay(EGL_DEFAULT_DISPLAY) == EGL_NO_DISPLAY ? 0 : 1;
   if (is("loads-late")) return loadsLate() ? 0 : 1;
   if (is("atexit")) std::atexit(cleanUp);
-  atStaticDestruction.armed = is("static-destructor");
-  if (is("exit-in-thread")) {
-    std::thread([] { std::exit(makeCurrent() ? 0 : 1); }).join();
-  } else if (is("other-thread")) {
+  if (is("atexit-draws")) std::atexit(drawAndCleanUp);
+  if (is("atexit-draws-in-thread")) std::atexit(draw);
+  if (is("atexit-exits")) std::atexit(exitAgain);
+  if (is("static-destructor")) atStaticDestruction.does = cleanUp;
+  if (is("static-destructor-draws")) atStaticDestruction.does = drawAndCleanUp;
+  if (is("static-destructor-calls")) atStaticDestruction.does = callAnything;
+  if (is("exit-in-thread") || is("atexit-draws-in-thread")) return inThread(makeCurrent, true);
+  if (is("other-thread")) {
     std::thread([] {
       if (!makeCurrent()) std::_Exit(1);
       std::exit(0);
     }).detach();
     std::this_thread::sleep_for(std::chrono::seconds(60));
     return 2;
-  } else if (is("thread-ends")) {
-    bool made = false;
-    std::thread([&] { made = makeCurrent(); }).join();
-    return made ? 0 : 1;
   }
+  if (is("thread-ends")) return inThread(makeCurrent, false);
+  if (is("thread-local-draws")) return inThread(makeAndWatchEnd, false);
+  if (is("first-thread-ends")) return endFirstThread();
+  if (is("_exit")) _exit(makeCurrent() ? 0 : 1);
   return makeCurrent() ? 0 : 1;
 }
 

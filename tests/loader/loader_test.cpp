@@ -5,6 +5,9 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -14,6 +17,9 @@ namespace {
 
 const std::string kEgl = LIBRARIES "/libEGL.so.1";
 const std::string kGles = LIBRARIES "/libGLESv1_CM.so.1";
+
+// The C library's heap breathes; a hundred devices or contexts left behind would be far more.
+constexpr long kMostMaps = 20, kMostPages = 2048;
 
 struct Outcome {
   int status;  // exit status; -signal when it died of one
@@ -94,23 +100,85 @@ TEST(Loader, VendorLoadsTheImplementationLate) {
   EXPECT_EQ(outcome.output, "");
 }
 
-TEST(Loader, OpensAndClosesAHundredTimes) {
-  for (int i = 0; i < 100; ++i) {
-    void* egl = dlopen(kEgl.c_str(), RTLD_NOW | RTLD_LOCAL);
-    ASSERT_NE(egl, nullptr) << dlerror();
-    const auto getDisplay = reinterpret_cast<decltype(&eglGetDisplay)>(dlsym(egl, "eglGetDisplay"));
-    const auto initialize = reinterpret_cast<decltype(&eglInitialize)>(dlsym(egl, "eglInitialize"));
-    const auto terminate = reinterpret_cast<decltype(&eglTerminate)>(dlsym(egl, "eglTerminate"));
-    ASSERT_TRUE(getDisplay != nullptr && initialize != nullptr && terminate != nullptr);
-    const EGLDisplay display = getDisplay(EGL_DEFAULT_DISPLAY);
-    ASSERT_NE(display, EGL_NO_DISPLAY);
-    if (i % 10 == 0) {
-      ASSERT_TRUE(initialize(display, nullptr, nullptr));
-      ASSERT_TRUE(terminate(display));
-    }
-    ASSERT_EQ(dlclose(egl), 0);
-  }
+// What a process has, proc(5).
+struct Possessions {
+  long pages = 0, threads = 0, files = 0, maps = 0;
+};
+
+Possessions possessions() {
+  Possessions all;
+  std::ifstream("/proc/self/statm") >> all.pages >> all.pages;  // the second: resident
+  const auto entries = [](const char* folder) {
+    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+  };
+  all.threads = entries("/proc/self/task");
+  all.files = entries("/proc/self/fd");
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) ++all.maps;
+  return all;
 }
+
+// The way of a program that loads EGL as a plugin; `depth`: how far it goes.
+void openAndClose(int depth) {
+  void* egl = dlopen(kEgl.c_str(), RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(egl, nullptr) << dlerror();
+  const auto get = [&]<typename Function>(Function, const char* name) {
+    return reinterpret_cast<Function>(dlsym(egl, name));
+  };
+#define GET(name) const auto name = get(&::name, #name)
+  GET(eglGetDisplay);
+  GET(eglInitialize);
+  GET(eglTerminate);
+  GET(eglChooseConfig);
+  GET(eglCreateContext);
+  GET(eglCreatePbufferSurface);
+  GET(eglMakeCurrent);
+  GET(eglReleaseThread);
+  GET(eglGetProcAddress);
+#undef GET
+  ASSERT_TRUE(eglGetDisplay && eglInitialize && eglTerminate && eglMakeCurrent && eglReleaseThread);
+  const EGLDisplay display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
+  ASSERT_NE(display, EGL_NO_DISPLAY);
+  if (depth > 0) {
+    ASSERT_TRUE(eglInitialize(display, nullptr, nullptr));
+  }
+  if (depth > 1) {
+    const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
+    EGLConfig config = nullptr;
+    EGLint count = 0;
+    ASSERT_TRUE(eglChooseConfig(display, wanted, &config, 1, &count) && count == 1);
+    const EGLint size[] = {EGL_WIDTH, 64, EGL_HEIGHT, 64, EGL_NONE};
+    const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
+    const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
+    ASSERT_TRUE(eglMakeCurrent(display, surface, surface, context));
+    const auto clear = reinterpret_cast<void (*)(unsigned)>(eglGetProcAddress("glClear"));
+    const auto finish = reinterpret_cast<void (*)()>(eglGetProcAddress("glFinish"));
+    ASSERT_TRUE(clear && finish);
+    clear(0x4000);
+    finish();
+    ASSERT_TRUE(eglReleaseThread());
+  }
+  if (depth > 0) {
+    ASSERT_TRUE(eglTerminate(display));
+  }
+  ASSERT_EQ(dlclose(egl), 0);
+}
+
+class Loaded : public testing::TestWithParam<int> {};
+
+// Nothing is left behind; the first time counts as the program's own start.
+TEST_P(Loaded, AHundredTimes) {
+  for (int i = 0; i < 10; ++i) openAndClose(GetParam());
+  const Possessions before = possessions();
+  for (int i = 0; i < 100 && !HasFatalFailure(); ++i) openAndClose(GetParam());
+  const Possessions after = possessions();
+  EXPECT_EQ(after.threads, before.threads);
+  EXPECT_EQ(after.files, before.files);
+  EXPECT_LE(after.maps, before.maps + kMostMaps);
+  EXPECT_LE(after.pages, before.pages + kMostPages);
+}
+
+INSTANTIATE_TEST_SUITE_P(Loader, Loaded, testing::Values(0, 1, 2));
 
 class Ending : public testing::TestWithParam<const char*> {};
 
@@ -121,8 +189,11 @@ TEST_P(Ending, LeavesQuietly) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Loader, Ending,
-                         testing::Values("return", "atexit", "static-destructor", "exit-in-thread",
-                                         "other-thread", "thread-ends"));
+                         testing::Values("return", "_exit", "atexit", "atexit-draws", "atexit-exits",
+                                         "atexit-draws-in-thread", "static-destructor",
+                                         "static-destructor-draws", "static-destructor-calls",
+                                         "exit-in-thread", "other-thread", "thread-ends",
+                                         "thread-local-draws", "first-thread-ends"));
 
 TEST(Loader, NoticesACompanionOfAnotherVersion) {
   const Outcome outcome = run("LD_LIBRARY_PATH=" COMPANIONS "/other_version " PROGRAM " no-display");

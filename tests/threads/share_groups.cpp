@@ -333,7 +333,9 @@ TEST(ShareGroups, ChangedWhileInUse) {
           gl().bindFramebuffer(GL_FRAMEBUFFER_OES, framebuffer);
           if (gl().checkFramebufferStatus(GL_FRAMEBUFFER_OES) == GL_FRAMEBUFFER_COMPLETE_OES) {
             clear(color);
-            EXPECT_TRUE(known(pixel()));
+            const Color got = pixel();
+            // The texture may be too small to have such a pixel: then nothing was read.
+            EXPECT_TRUE(known(got) || got == (Color{0, 0, 0, 0})) << got;
           }
           break;
         default:
