@@ -182,6 +182,7 @@ Display& initializedDisplay(EGLDisplay handle) {
 }
 
 void abandonDisplays() {
+  abandonDevice();
   for (const auto& display : displays()) {
     if (display->initialized()) display->abandon();
   }

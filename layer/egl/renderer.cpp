@@ -59,6 +59,10 @@ struct Latest {
   std::optional<render::WindowSystem> windows;
   std::weak_ptr<render::Device> device;
 };
+Latest& latest() {
+  static auto& instance = *new Latest;
+  return instance;
+}
 
 }  // namespace
 
@@ -68,14 +72,17 @@ bool addRenderer(const char* name, CreateDevice create) {
 }
 
 std::shared_ptr<render::Device> findDevice(std::optional<render::WindowSystem> windows, std::string& error) {
-  static auto& latest = *new Latest;
   std::string wanted = settings();
-  std::shared_ptr<render::Device> device = latest.device.lock();
-  const bool fits = !windows || windows == latest.windows;
-  if (device != nullptr && fits && latest.settings == wanted) return device;
+  std::shared_ptr<render::Device> device = latest().device.lock();
+  const bool fits = !windows || windows == latest().windows;
+  if (device != nullptr && fits && latest().settings == wanted) return device;
   device = createDevice(windows, error);
-  if (device != nullptr) latest = {std::move(wanted), windows, device};
+  if (device != nullptr) latest() = {std::move(wanted), windows, device};
   return device;
+}
+
+void abandonDevice() {
+  latest().device.reset();
 }
 
 }  // namespace anteroom::egl

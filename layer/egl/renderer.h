@@ -27,5 +27,7 @@ bool addRenderer(const char* name, CreateDevice create);
 // The device that the environment asks for, by which the window system's windows can be drawn to: the one
 // that another display has, if it is that. Null: none, `error` says why. Called under EGL's lock.
 std::shared_ptr<render::Device> findDevice(std::optional<render::WindowSystem> windows, std::string& error);
+// In a process that was forked: the parent's device is no longer found.
+void abandonDevice();
 
 }  // namespace anteroom::egl
