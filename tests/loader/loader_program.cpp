@@ -14,6 +14,13 @@ namespace {
 
 EGLDisplay display = EGL_NO_DISPLAY;
 
+// Through EGL: the program needs no other library.
+template <typename Function>
+Function command(Function, const char* name) {
+  return reinterpret_cast<Function>(eglGetProcAddress(name));
+}
+#define COMMAND(name) command(static_cast<decltype(&(name))>(nullptr), #name)
+
 bool makeCurrent() {
   display = eglGetDisplay(EGL_DEFAULT_DISPLAY);
   if (!eglInitialize(display, nullptr, nullptr)) return false;
@@ -25,8 +32,8 @@ bool makeCurrent() {
   const EGLSurface surface = eglCreatePbufferSurface(display, config, size);
   const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
   if (!eglMakeCurrent(display, surface, surface, context)) return false;
-  const auto clear = reinterpret_cast<decltype(&glClear)>(eglGetProcAddress("glClear"));
-  const auto getError = reinterpret_cast<decltype(&glGetError)>(eglGetProcAddress("glGetError"));
+  const auto clear = COMMAND(glClear);
+  const auto getError = COMMAND(glGetError);
   if (clear == nullptr || getError == nullptr) return false;
   clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   return getError() == GL_NO_ERROR;
@@ -40,11 +47,11 @@ void cleanUp() {
 
 // What is current can be drawn to.
 void draw() {
-  glClearColor(0, 1, 0, 1);
-  glClear(GL_COLOR_BUFFER_BIT);
+  COMMAND(glClearColor)(0, 1, 0, 1);
+  COMMAND(glClear)(GL_COLOR_BUFFER_BIT);
   GLubyte pixel[4] = {};
-  glReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-  if (pixel[0] != 0 || pixel[1] != 255 || glGetError() != GL_NO_ERROR) std::_Exit(4);
+  COMMAND(glReadPixels)(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  if (pixel[0] != 0 || pixel[1] != 255 || COMMAND(glGetError)() != GL_NO_ERROR) std::_Exit(4);
 }
 
 void drawAndCleanUp() {
@@ -54,9 +61,9 @@ void drawAndCleanUp() {
 
 // With nothing current any more, or with what somebody else left.
 void callAnything() {
-  glClear(GL_COLOR_BUFFER_BIT);
-  glFinish();
-  glGetError();
+  COMMAND(glClear)(GL_COLOR_BUFFER_BIT);
+  COMMAND(glFinish)();
+  COMMAND(glGetError)();
   eglGetCurrentContext();
   eglQueryString(display, EGL_VERSION);
   eglWaitClient();

@@ -125,7 +125,7 @@ void openAndClose(int depth) {
   const auto get = [&]<typename Function>(Function, const char* name) {
     return reinterpret_cast<Function>(dlsym(egl, name));
   };
-#define GET(name) const auto name = get(&::name, #name)
+#define GET(name) const auto name = get(static_cast<decltype(&::name)>(nullptr), #name)
   GET(eglGetDisplay);
   GET(eglInitialize);
   GET(eglTerminate);
