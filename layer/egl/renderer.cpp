@@ -46,10 +46,10 @@ std::unique_ptr<render::Device> createDevice(std::optional<render::WindowSystem>
   return nullptr;
 }
 
-// What decides which device createDevice makes, and how.
+// What decides which device createDevice makes, and how. ANTEROOM_DEBUG is read but once.
 std::string settings() {
   std::string all;
-  for (const char* name : {"ANTEROOM_RENDERER", "ANTEROOM_DEVICE", "ANTEROOM_VALIDATION", "ANTEROOM_MINIMAL"})
+  for (const char* name : {"ANTEROOM_RENDERER", "ANTEROOM_DEVICE", "ANTEROOM_MINIMAL"})
     all += variable(name) + '\n';
   return all;
 }
