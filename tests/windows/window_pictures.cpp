@@ -64,6 +64,7 @@ TEST_P(WindowPictures, EveryConfig) {
     Target& target = open(config);
     const EGLContext own = context(config);
     ASSERT_TRUE(makeCurrent(target, own));
+    EXPECT_TRUE(eglSwapInterval(display_, 0));
     drawLayers(config, 64, 48);
     const Image expected = layers(config, 64, 48);
     ASSERT_TRUE(same(readPixels(0, 0, 64, 48), expected));
