@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 #include "layer/loader/egl_table.h"
@@ -152,6 +153,12 @@ EGLDisplay getPlatformDisplay(EGLenum platform, void* native, const EGLAttrib* a
   return Route<k_eglGetPlatformDisplay, decltype(&eglGetPlatformDisplay)>::call(platform, native, attributes);
 }
 
+// EGL_NONE: let glvnd find out, who knows X11's and Wayland's displays apart, but not xcb's connections.
+EGLenum findNativeDisplayPlatform(void*) {
+  const char* named = std::getenv("EGL_PLATFORM");
+  return named != nullptr && std::string_view(named) == "xcb" ? EGL_PLATFORM_XCB_EXT : EGL_NONE;
+}
+
 EGLBoolean getSupportsApi(EGLenum api) {
   return api == EGL_OPENGL_ES_API ? EGL_TRUE : EGL_FALSE;
 }
@@ -226,5 +233,7 @@ extern "C" __attribute__((visibility("default"))) EGLBoolean __egl_Main(uint32_t
   imports->getProcAddress = getProcAddress;
   imports->getDispatchAddress = getDispatchAddress;
   imports->setDispatchIndex = setDispatchIndex;
+  if (EGL_VENDOR_ABI_GET_MINOR_VERSION(version) >= 2)
+    imports->findNativeDisplayPlatform = findNativeDisplayPlatform;
   return EGL_TRUE;
 }
