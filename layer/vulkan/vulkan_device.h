@@ -16,9 +16,9 @@ struct PipelineRow;
 namespace anteroom::vulkan {
 
 struct DeviceOptions {
-  std::string preferred;       // part of a device name, or an index; empty: the best there is
-  render::DebugOptions debug;  // messages of the validation layer are counted, too
-  bool minimal = false;        // pretend that the device has only Vulkan 1.1 and no optional extension
+  std::string preferred;            // part of a device name, or an index; empty: the best there is
+  render::DebugOptions debug = {};  // messages of the validation layer are counted, too
+  bool minimal = false;             // pretend that the device has only Vulkan 1.1 and no optional extension
   std::optional<render::WindowSystem> windows = std::nullopt;  // whose windows will be drawn to
 };
 
