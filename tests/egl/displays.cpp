@@ -99,6 +99,30 @@ TEST_F(Displays, DeviceDisplay) {
   EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
 }
 
+// EGL_ANTEROOM_origin: its numbers are of no registry.
+TEST_F(Displays, Origin) {
+  if (!names(eglQueryString(display_, EGL_EXTENSIONS), "EGL_ANTEROOM_origin")) GTEST_SKIP() << "not there";
+  constexpr EGLint kDevices = 0x3FE4, kChoice = 0x3FE5, kDriver = 0x3FE6, kCache = 0x3FE7;
+  const char* devices = eglQueryString(display_, kDevices);
+  ASSERT_NE(devices, nullptr);
+  EXPECT_EQ(std::strncmp(devices, "0: ", 3), 0) << devices;
+  EXPECT_NE(std::strstr(devices, ": chosen"), nullptr) << devices;
+  for (EGLint name : {kChoice, kDriver, kCache}) {
+    const char* text = eglQueryString(display_, name);
+    ASSERT_NE(text, nullptr) << name;
+    EXPECT_NE(*text, '\0') << name;
+  }
+  EXPECT_EGL_ERROR(EGL_SUCCESS);
+  EXPECT_EQ(eglQueryString(display_, kCache + 1), nullptr);
+  EXPECT_EGL_ERROR(EGL_BAD_PARAMETER);
+  EXPECT_EQ(eglQueryString(EGL_NO_DISPLAY, kDevices), nullptr);
+  EXPECT_EGL_ERROR(EGL_BAD_DISPLAY);
+  ASSERT_TRUE(eglTerminate(display_));
+  EXPECT_EQ(eglQueryString(display_, kDevices), nullptr);
+  EXPECT_EGL_ERROR(EGL_NOT_INITIALIZED);
+  ASSERT_TRUE(eglInitialize(display_, nullptr, nullptr));
+}
+
 // 3.1.2, 3.2: handles that are no display.
 TEST_F(Displays, BadDisplay) {
   EGLint value = 0;
