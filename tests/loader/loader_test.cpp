@@ -174,8 +174,10 @@ TEST_P(Loaded, AHundredTimes) {
   const Possessions after = possessions();
   EXPECT_EQ(after.threads, before.threads);
   EXPECT_EQ(after.files, before.files);
+#ifndef __SANITIZE_ADDRESS__  // it keeps what is freed
   EXPECT_LE(after.maps, before.maps + kMostMaps);
   EXPECT_LE(after.pages, before.pages + kMostPages);
+#endif
 }
 
 INSTANTIATE_TEST_SUITE_P(Loader, Loaded, testing::Values(0, 1, 2));
@@ -183,7 +185,10 @@ INSTANTIATE_TEST_SUITE_P(Loader, Loaded, testing::Values(0, 1, 2));
 class Ending : public testing::TestWithParam<const char*> {};
 
 TEST_P(Ending, LeavesQuietly) {
-  const Outcome outcome = run(std::string("timeout 60 " PROGRAM " ") + GetParam());
+  // Where the first thread ends by itself, the C library loses what it keeps for its dlerror.
+  const bool loses = std::string(GetParam()) == "first-thread-ends";
+  const std::string leaks = loses ? "ASAN_OPTIONS=detect_leaks=0 " : "";
+  const Outcome outcome = run(leaks + "timeout 60 " PROGRAM " " + GetParam());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(outcome.output, "");
 }
