@@ -5,6 +5,7 @@
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/driver_cache.h"
 #include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/presenter.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
 
@@ -75,6 +76,7 @@ void VulkanContext::flush() {
 void VulkanContext::finish() {
   submit();
   device_.timeline().wait(commands_.lastSubmitted(), UINT64_MAX);
+  device_.presenter().wait(nullptr);
   commands_.retire();
 }
 

@@ -16,6 +16,7 @@
 #include "layer/vulkan/pass.h"
 #include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/pipeline_warm_up.h"
+#include "layer/vulkan/presenter.h"
 #include "layer/vulkan/sampler.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
@@ -89,6 +90,7 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
 
   memory_ = std::make_unique<MemoryPool>(*this);
   timeline_ = std::make_unique<Timeline>(*this);
+  presenter_ = std::make_unique<Presenter>(*this);
   samplers_ = std::make_unique<SamplerCache>(*this);
   shaders_ = std::make_unique<ShaderLibrary>(*this);
   legacyPasses_ = std::make_unique<LegacyPasses>(*this);
@@ -107,6 +109,7 @@ VulkanDevice::~VulkanDevice() {
   if (handle_) {
     capture_.reset();
     warmUp_.reset();
+    presenter_.reset();
     fn_.vkDeviceWaitIdle(handle_);
     pipelines_.reset();
     driverCache_.reset();

@@ -24,6 +24,7 @@ struct ImageStore;
 class LegacyPasses;
 class PipelineCache;
 class PipelineWarmUp;
+class Presenter;
 class SamplerCache;
 class ShaderLibrary;
 class Timeline;
@@ -72,6 +73,7 @@ class VulkanDevice : public render::Device {
   const Labels& labels() const { return labels_; }
   MemoryPool& memory() { return *memory_; }
   Timeline& timeline() { return *timeline_; }
+  Presenter& presenter() { return *presenter_; }
   SamplerCache& samplers() { return *samplers_; }
   ShaderLibrary& shaders() { return *shaders_; }
   PipelineCache& pipelines() { return *pipelines_; }
@@ -137,6 +139,7 @@ class VulkanDevice : public render::Device {
 
   std::unique_ptr<MemoryPool> memory_;
   std::unique_ptr<Timeline> timeline_;
+  std::unique_ptr<Presenter> presenter_;
   std::unique_ptr<SamplerCache> samplers_;
   std::unique_ptr<ShaderLibrary> shaders_;
   std::unique_ptr<LegacyPasses> legacyPasses_;

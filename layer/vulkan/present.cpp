@@ -59,7 +59,7 @@ render::Presented VulkanContext::present(render::Window& target, std::span<const
   }
   if (window.hud() && !drawHud(window)) return render::Presented::OutOfMemory;
   if (!leaveForPresentation(shown) || !submit(window.semaphore())) return render::Presented::OutOfMemory;
-  return window.present(damage);
+  return window.present(commands_.lastSubmitted(), damage);
 }
 
 }  // namespace anteroom::vulkan

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "layer/vulkan/device.h"
+#include "layer/vulkan/presenter.h"
 #include "layer/vulkan/timeline.h"
 
 namespace anteroom::vulkan {
@@ -71,6 +72,7 @@ VkResult Swapchain::createSemaphore(VkSemaphore& out) {
 
 Swapchain::~Swapchain() {
   const auto& fn = device_.fn();
+  if (desc_.presentsBeside) device_.presenter().wait(this);
   if (acquired() && device_.removeFreshImage(store()->image))
     device_.timeline().consume(images_[acquired_].ready);
   // Nothing tells when a present is done but the queue.
@@ -87,6 +89,7 @@ Swapchain::~Swapchain() {
 VkResult Swapchain::acquire() {
   const auto& fn = device_.fn();
   uint32_t index = 0;
+  const std::lock_guard lock(mutex_);
   const VkResult result =
       fn.vkAcquireNextImageKHR(device_.handle(), handle_, UINT64_MAX, spare_, VK_NULL_HANDLE, &index);
   if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) return result;
@@ -105,18 +108,7 @@ int Swapchain::age() const {
   return picture == 0 ? 0 : static_cast<int>(pictures_ - picture + 1);
 }
 
-VkResult Swapchain::present(std::span<const render::Rect> damage) {
-  Image& image = images_[acquired_];
-  const auto index = static_cast<uint32_t>(acquired_);
-  VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
-  info.waitSemaphoreCount = 1;
-  info.pWaitSemaphores = &image.drawn;
-  info.swapchainCount = 1;
-  info.pSwapchains = &handle_;
-  info.pImageIndices = &index;
-
-  VkPresentRegionKHR region{};
-  VkPresentRegionsKHR regions{VK_STRUCTURE_TYPE_PRESENT_REGIONS_KHR};
+VkResult Swapchain::present(uint64_t serial, std::span<const render::Rect> damage) {
   const auto width = static_cast<int>(desc_.extent.width), height = static_cast<int>(desc_.extent.height);
   damage_.clear();
   for (const render::Rect& rect : damage) {
@@ -127,15 +119,35 @@ VkResult Swapchain::present(std::span<const render::Rect> damage) {
     damage_.push_back(
         {{left, height - high}, {static_cast<uint32_t>(right - left), static_cast<uint32_t>(high - low)}, 0});
   }
-  if (device_.features().presentRegions && !damage_.empty()) {
-    region = {static_cast<uint32_t>(damage_.size()), damage_.data()};
+  const auto image = static_cast<uint32_t>(std::exchange(acquired_, -1));
+  images_[image].picture = ++pictures_;
+  if (desc_.presentsBeside) {
+    device_.presenter().wait(this);  // one at a time: there are no images for more
+    device_.presenter().add(*this, image, serial, damage_);
+  } else {
+    show(image, damage_);
+  }
+  const std::lock_guard lock(mutex_);
+  return std::exchange(result_, VK_SUCCESS);
+}
+
+void Swapchain::show(uint32_t image, const std::vector<VkRectLayerKHR>& damage) {
+  VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
+  info.waitSemaphoreCount = 1;
+  info.pWaitSemaphores = &images_[image].drawn;
+  info.swapchainCount = 1;
+  info.pSwapchains = &handle_;
+  info.pImageIndices = &image;
+  VkPresentRegionKHR region{};
+  VkPresentRegionsKHR regions{VK_STRUCTURE_TYPE_PRESENT_REGIONS_KHR};
+  if (device_.features().presentRegions && !damage.empty()) {
+    region = {static_cast<uint32_t>(damage.size()), damage.data()};
     regions.swapchainCount = 1;
     regions.pRegions = &region;
     info.pNext = &regions;
   }
-  image.picture = ++pictures_;
-  acquired_ = -1;
-  return device_.timeline().present(info);
+  const std::lock_guard lock(mutex_);
+  result_ = device_.timeline().present(info);
 }
 
 }  // namespace anteroom::vulkan

@@ -4,6 +4,7 @@
 #include <volk.h>
 
 #include <memory>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct SwapchainDesc {
   VkExtent2D extent{};
   VkPresentModeKHR mode = VK_PRESENT_MODE_FIFO_KHR;
   VkCompositeAlphaFlagBitsKHR alpha = VK_COMPOSITE_ALPHA_OPAQUE_BIT_KHR;
-  uint32_t images = 2;  // at least
+  uint32_t images = 2;          // at least
+  bool presentsBeside = false;  // one image may wait to be shown while another is drawn to
 };
 
 // What recordings do to a swapchain's images.
@@ -46,8 +48,11 @@ class Swapchain {
   // Pictures since the acquired image was shown; 0: never.
   int age() const;
 
-  // Shows the acquired image, which then no longer is.
-  VkResult present(std::span<const render::Rect> damage);
+  // Shows the acquired image, which then no longer is, when submission `serial` has drawn it. On a CPU device
+  // that happens beside, and what comes of it is told by the next present().
+  VkResult present(uint64_t serial, std::span<const render::Rect> damage);
+  // For the presenter.
+  void show(uint32_t image, const std::vector<VkRectLayerKHR>& damage);
 
  private:
   struct Image {
@@ -68,6 +73,8 @@ class Swapchain {
   std::vector<VkRectLayerKHR> damage_;
   int acquired_ = -1;
   uint64_t pictures_ = 0;
+  std::mutex mutex_;  // guards the handle, and what follows
+  VkResult result_ = VK_SUCCESS;
 };
 
 }  // namespace anteroom::vulkan

@@ -147,9 +147,10 @@ VkResult VulkanWindow::renewSwapchain() {
   desc.extent = nativeExtent(can);
   desc.mode = mode();
   desc.alpha = compositeAlpha(can.supportedCompositeAlpha, desc_.translucent);
-  // One on the screen and one that is drawn to; a device of its own works on a third meanwhile.
-  desc.images = std::max(can.minImageCount, device_.caps().isCpu ? 2u : 3u);
+  // One on the screen, one that is drawn, and one that the program draws to meanwhile.
+  desc.images = std::max(can.minImageCount + 1, 3u);
   if (can.maxImageCount != 0) desc.images = std::min(desc.images, can.maxImageCount);
+  desc.presentsBeside = device_.caps().isCpu && desc.images > can.minImageCount;
   if (desc.extent.width == 0 || desc.extent.height == 0) {
     swapchain_.reset();
     return VK_SUCCESS;
@@ -248,8 +249,8 @@ VkExtent2D VulkanWindow::extent() const {
   return {static_cast<uint32_t>(image_->desc().width), static_cast<uint32_t>(image_->desc().height)};
 }
 
-render::Presented VulkanWindow::present(std::span<const render::Rect> damage) {
-  const VkResult result = swapchain_->present(damage);
+render::Presented VulkanWindow::present(uint64_t serial, std::span<const render::Rect> damage) {
+  const VkResult result = swapchain_->present(serial, damage);
   if (result == VK_SUBOPTIMAL_KHR) suspect_ = true;
   if (result == VK_ERROR_OUT_OF_DATE_KHR) swapchain_.reset();
   if (result == VK_SUCCESS || result == VK_SUBOPTIMAL_KHR || result == VK_ERROR_OUT_OF_DATE_KHR)

@@ -40,8 +40,8 @@ class VulkanWindow final : public render::Window {
   const std::shared_ptr<render::Image>& overlay();
   VkExtent2D extent() const;
   VkSemaphore semaphore() const { return swapchain_->drawn(); }
-  // shown() has been submitted.
-  render::Presented present(std::span<const render::Rect> damage);
+  // shown() has been drawn by submission `serial`, or will be.
+  render::Presented present(uint64_t serial, std::span<const render::Rect> damage);
   bool lost() const { return lost_; }
 
  private:

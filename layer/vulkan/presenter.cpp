@@ -1,0 +1,60 @@
+#include "layer/vulkan/presenter.h"
+
+#include <algorithm>
+
+#include "gen/cache/quiet_thread.h"
+#include "layer/vulkan/device.h"
+#include "layer/vulkan/swapchain.h"
+#include "layer/vulkan/timeline.h"
+
+namespace anteroom::vulkan {
+
+Presenter::~Presenter() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  changed_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+void Presenter::add(Swapchain& swapchain, uint32_t image, uint64_t serial,
+                    const std::vector<VkRectLayerKHR>& damage) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!thread_.joinable()) thread_ = gen::quietThread([this] { run(); });
+    if (thread_.joinable()) {
+      pictures_.push_back({&swapchain, image, serial, damage});
+      changed_.notify_all();
+      return;
+    }
+  }
+  swapchain.show(image, damage);  // there is no thread to be had
+}
+
+void Presenter::wait(const Swapchain* swapchain) {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [&] {
+    return std::none_of(pictures_.begin(), pictures_.end(), [&](const Picture& picture) {
+      return swapchain == nullptr || picture.swapchain == swapchain;
+    });
+  });
+}
+
+void Presenter::run() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [&] { return stop_ || !pictures_.empty(); });
+    if (pictures_.empty()) return;
+    Picture& picture = pictures_.front();
+    lock.unlock();
+    // Not with the queue in hand: others submit meanwhile.
+    device_.timeline().wait(picture.serial, UINT64_MAX);
+    picture.swapchain->show(picture.image, picture.damage);
+    lock.lock();
+    pictures_.pop_front();
+    changed_.notify_all();
+  }
+}
+
+}  // namespace anteroom::vulkan
