@@ -12,6 +12,8 @@ namespace anteroom::vulkan {
 
 VkResult Swapchain::create(VulkanDevice& device, const SwapchainDesc& desc, const Swapchain* former,
                            std::unique_ptr<Swapchain>& out) {
+  // Its last picture is shown before another has the window.
+  if (former) former->settle();
   std::unique_ptr<Swapchain> made(new Swapchain(device, desc));
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
   info.surface = desc.surface;
@@ -72,7 +74,7 @@ VkResult Swapchain::createSemaphore(VkSemaphore& out) {
 
 Swapchain::~Swapchain() {
   const auto& fn = device_.fn();
-  if (desc_.presentsBeside) device_.presenter().wait(this);
+  settle();
   if (acquired() && device_.removeFreshImage(store()->image))
     device_.timeline().consume(images_[acquired_].ready);
   // Nothing tells when a present is done but the queue.
@@ -84,6 +86,10 @@ Swapchain::~Swapchain() {
   }
   fn.vkDestroySemaphore(device_.handle(), spare_, nullptr);
   fn.vkDestroySwapchainKHR(device_.handle(), handle_, nullptr);
+}
+
+void Swapchain::settle() const {
+  if (desc_.presentsBeside) device_.presenter().wait(this);
 }
 
 VkResult Swapchain::acquire() {
@@ -122,7 +128,7 @@ VkResult Swapchain::present(uint64_t serial, std::span<const render::Rect> damag
   const auto image = static_cast<uint32_t>(std::exchange(acquired_, -1));
   images_[image].picture = ++pictures_;
   if (desc_.presentsBeside) {
-    device_.presenter().wait(this);  // one at a time: there are no images for more
+    settle();  // one at a time: there are no images for more
     device_.presenter().add(*this, image, serial, damage_);
   } else {
     show(image, damage_);
