@@ -17,6 +17,7 @@
 #include "layer/vulkan/pipeline_cache.h"
 #include "layer/vulkan/pipeline_warm_up.h"
 #include "layer/vulkan/presenter.h"
+#include "layer/vulkan/process_end.h"
 #include "layer/vulkan/sampler.h"
 #include "layer/vulkan/shader_library.h"
 #include "layer/vulkan/timeline.h"
@@ -99,13 +100,26 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   warmUp_ = std::make_unique<PipelineWarmUp>(*this);
   if (timeline_->initialise() && createLayouts()) {
     if (debug_.captureFrame) capture_ = std::make_unique<FrameCapture>(instance_.handle, debug_.captureFrame);
+    restAtEnd(*this);
     return true;
   }
   error = "the Vulkan device is out of memory";
   return false;
 }
 
+void VulkanDevice::wait() {
+  timeline_->wait(timeline_->submitted(), UINT64_MAX);
+  presenter_->wait(nullptr);
+}
+
+void VulkanDevice::rest() {
+  warmUp_->stop();
+  timeline_->end();
+  presenter_->wait(nullptr);
+}
+
 VulkanDevice::~VulkanDevice() {
+  forgetAtEnd(*this);
   if (handle_) {
     capture_.reset();
     warmUp_.reset();

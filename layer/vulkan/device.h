@@ -57,6 +57,11 @@ class VulkanDevice : public render::Device {
   std::unique_ptr<render::Window> createWindow(const render::WindowDesc& desc) override;
   void endFrame() override;
 
+  // The process ends: see process_end.h.
+  void rest();
+  // All that was submitted is done and shown.
+  void wait();
+
   const Instance& instance() const { return instance_; }
   VkDevice handle() const { return handle_; }
   VkPhysicalDevice physical() const { return instance_.physical; }

@@ -19,24 +19,6 @@
 namespace anteroom::vulkan {
 namespace {
 
-// Those that run when the process ends are stopped before the driver's own threads are.
-struct Running {
-  std::mutex mutex;
-  std::vector<PipelineWarmUp*> all;
-
-  static Running& ofProcess() {
-    // Never destroyed: devices may be, later.
-    static Running* const running = new Running;
-    static const struct Closer {
-      ~Closer() {
-        const std::lock_guard lock(running->mutex);
-        for (PipelineWarmUp* one : running->all) one->stop();
-      }
-    } closer;
-    return *running;
-  }
-};
-
 template <class Key>
 const Key& as(const Shader& shader) {
   return *reinterpret_cast<const Key*>(shader.key.data());
@@ -124,27 +106,17 @@ size_t makePipelines(render::Device& device, std::span<const gen::PipelineRow> r
 }
 
 PipelineWarmUp::~PipelineWarmUp() {
-  if (started_) {
-    Running& running = Running::ofProcess();
-    const std::lock_guard lock(running.mutex);
-    std::erase(running.all, this);
-  }
   stop();
 }
 
 void PipelineWarmUp::start() {
   if (!gen::ShaderCache::process().wanted()) return;
-  {
-    const std::lock_guard lock(mutex_);
-    if (started_) return;
-    started_ = true;
-    process_ = getpid();
-    device_.driverCache().load();
-    thread_ = gen::quietThread([this] { run(); });
-  }
-  Running& running = Running::ofProcess();
-  const std::lock_guard lock(running.mutex);
-  running.all.push_back(this);
+  const std::lock_guard lock(mutex_);
+  if (started_) return;
+  started_ = true;
+  process_ = getpid();
+  device_.driverCache().load();
+  thread_ = gen::quietThread([this] { run(); });
 }
 
 void PipelineWarmUp::run() {

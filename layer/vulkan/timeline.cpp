@@ -2,12 +2,15 @@
 
 #include "layer/vulkan/device.h"
 #include "layer/vulkan/image.h"
+#include "layer/vulkan/process_end.h"
 
 namespace anteroom::vulkan {
 namespace {
 
 // Submissions that are in flight at a time, with a few contexts.
 constexpr size_t kUsualFences = 16;
+
+constexpr uint64_t kLongestEnd = 10'000'000'000;  // ns
 
 }  // namespace
 
@@ -106,6 +109,7 @@ bool Timeline::recordFreshImages(VkCommandBuffer commands, std::vector<std::shar
 
 uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemaphore signal,
                           std::vector<std::shared_ptr<ImageStore>>& held) {
+  noteWorker();
   const std::lock_guard lock(queueMutex_);
   VkCommandBuffer buffers[2];
   VkSubmitInfo info{VK_STRUCTURE_TYPE_SUBMIT_INFO};
@@ -140,12 +144,18 @@ uint64_t Timeline::submit(VkCommandBuffer fresh, VkCommandBuffer main, VkSemapho
     pending_.push_back({serial, std::move(fence)});
   }
   submitted_.store(serial, std::memory_order_release);
+  if (ending_.load(std::memory_order_relaxed)) wait(serial, kLongestEnd);
   return serial;
 }
 
 VkResult Timeline::present(const VkPresentInfoKHR& info) {
   const std::lock_guard lock(queueMutex_);
   return device_.fn().vkQueuePresentKHR(device_.queue(), &info);
+}
+
+void Timeline::end() {
+  ending_ = true;
+  wait(submitted(), kLongestEnd);
 }
 
 void Timeline::consume(VkSemaphore semaphore) {

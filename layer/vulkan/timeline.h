@@ -37,6 +37,9 @@ class Timeline {
   uint64_t completed();
   // timeout in ns. True: submission `serial` is complete.
   bool wait(uint64_t serial, uint64_t timeout);
+  // The process ends: all that was submitted is complete, and what is submitted from now on is when submit()
+  // returns. Waits at most some seconds.
+  void end();
   uint64_t submitted() const { return submitted_.load(std::memory_order_acquire); }
 
  private:
@@ -58,6 +61,7 @@ class Timeline {
   VulkanDevice& device_;
   VkSemaphore semaphore_ = VK_NULL_HANDLE;
   std::atomic<uint64_t> submitted_{0};
+  std::atomic<bool> ending_{false};
   std::atomic<uint64_t> completed_{0};
   std::mutex queueMutex_;
   std::vector<FreshImage> fresh_;

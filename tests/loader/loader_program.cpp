@@ -45,6 +45,18 @@ void cleanUp() {
   }
 }
 
+// Draws of several kinds, which a CPU device compiles shaders for, and nobody waits.
+void leaveWork() {
+  const GLfloat corners[] = {-1, -1, 1, -1, 0, 1};
+  COMMAND(glEnableClientState)(GL_VERTEX_ARRAY);
+  COMMAND(glVertexPointer)(2, GL_FLOAT, 0, corners);
+  for (GLenum state : {GL_BLEND, GL_FOG, GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, GL_ALPHA_TEST}) {
+    COMMAND(glEnable)(state);
+    COMMAND(glDrawArrays)(GL_TRIANGLES, 0, 3);
+    COMMAND(glFlush)();
+  }
+}
+
 // What is current can be drawn to.
 void draw() {
   COMMAND(glClearColor)(0, 1, 0, 1);
@@ -136,6 +148,12 @@ bool makeAndWatchEnd() {
   return makeCurrent();
 }
 
+bool makeAndLeaveWork() {
+  if (!makeCurrent()) return false;
+  leaveWork();
+  return true;
+}
+
 int run(const char* how) {
   const auto is = [=](const char* name) { return std::strcmp(how, name) == 0; };
   if (is("no-display")) return eglGetDisplay(EGL_DEFAULT_DISPLAY) == EGL_NO_DISPLAY ? 0 : 1;
@@ -156,6 +174,8 @@ int run(const char* how) {
     std::this_thread::sleep_for(std::chrono::seconds(60));
     return 2;
   }
+  if (is("in-the-middle")) return makeCurrent() ? leaveWork(), 0 : 1;
+  if (is("in-the-middle-of-a-thread")) return inThread(makeAndLeaveWork, true);
   if (is("thread-ends")) return inThread(makeCurrent, false);
   if (is("thread-local-draws")) return inThread(makeAndWatchEnd, false);
   if (is("first-thread-ends")) return endFirstThread();
