@@ -113,8 +113,12 @@ void VulkanDevice::wait() {
 }
 
 void VulkanDevice::rest() {
-  warmUp_->stop();
   timeline_->end();
+  restThreads();
+}
+
+void VulkanDevice::restThreads() {
+  warmUp_->stop();
   presenter_->wait(nullptr);
 }
 

@@ -59,6 +59,8 @@ class VulkanDevice : public render::Device {
 
   // The process ends: see process_end.h.
   void rest();
+  // The same without a word to the driver, of which parts may be gone.
+  void restThreads();
   // All that was submitted is done and shown.
   void wait();
 

@@ -138,7 +138,8 @@ void PipelineWarmUp::stop() {
     gen::forget(thread_);
     return;
   }
-  if (thread_.joinable()) thread_.join();
+  if (!thread_.joinable()) return;
+  thread_.join();
   device_.driverCache().save();
 }
 

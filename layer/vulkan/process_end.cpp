@@ -21,12 +21,12 @@ struct Devices {
   static Devices& ofProcess() {
     // Never destroyed: devices may be, later.
     static Devices* const devices = new Devices;
-    // Made after the first device, and so after the driver was loaded: destroyed before what it has.
+    // Made after the first device, and so after the driver was loaded: destroyed before its threads are.
     static const struct End {
       ~End() {
         const std::lock_guard lock(devices->mutex);
         for (const Entry& entry : devices->all)
-          if (entry.process == getpid()) entry.device->rest();
+          if (entry.process == getpid()) entry.device->restThreads();
       }
     } end;
     return *devices;

@@ -45,13 +45,17 @@ void cleanUp() {
   }
 }
 
-// Draws of several kinds, which a CPU device compiles shaders for, and nobody waits.
+// Draws for which a CPU device compiles large shaders, and nobody waits.
 void leaveWork() {
   const GLfloat corners[] = {-1, -1, 1, -1, 0, 1};
   COMMAND(glEnableClientState)(GL_VERTEX_ARRAY);
   COMMAND(glVertexPointer)(2, GL_FLOAT, 0, corners);
-  for (GLenum state : {GL_BLEND, GL_FOG, GL_LIGHTING, GL_LIGHT0, GL_DEPTH_TEST, GL_ALPHA_TEST}) {
-    COMMAND(glEnable)(state);
+  COMMAND(glEnable)(GL_LIGHTING);
+  for (GLenum light = GL_LIGHT0; light <= GL_LIGHT7; ++light) {
+    COMMAND(glEnable)(light);
+    COMMAND(glLightf)(light, GL_SPOT_CUTOFF, 30);
+    COMMAND(glLightf)(light, GL_LINEAR_ATTENUATION, 1);
+    if (light % 3 != 1) continue;
     COMMAND(glDrawArrays)(GL_TRIANGLES, 0, 3);
     COMMAND(glFlush)();
   }
