@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <mutex>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct Devices {
     VulkanDevice* device;
     int process;  // that made it: children of fork have not got its threads
   };
+  std::atomic<int> process{0};  // that made the last one: a child may find the mutex locked by nobody
   mutable std::mutex mutex;
   std::vector<Entry> all;
 
@@ -24,6 +26,7 @@ struct Devices {
     // Made after the first device, and so after the driver was loaded: destroyed before its threads are.
     static const struct End {
       ~End() {
+        if (devices->process != getpid()) return;
         const std::lock_guard lock(devices->mutex);
         for (const Entry& entry : devices->all)
           if (entry.process == getpid()) entry.device->restThreads();
@@ -39,6 +42,7 @@ struct Worker {
   ~Worker() {
     const bool ends = gettid() == getpid();
     const Devices& devices = Devices::ofProcess();
+    if (devices.process != getpid()) return;
     const std::lock_guard lock(devices.mutex);
     for (const Devices::Entry& entry : devices.all) {
       if (entry.process != getpid()) continue;
@@ -62,6 +66,7 @@ void restAtEnd(VulkanDevice& device) {
   noteWorker();
   Devices& devices = Devices::ofProcess();
   const std::lock_guard lock(devices.mutex);
+  devices.process = getpid();
   devices.all.push_back({&device, getpid()});
 }
 
