@@ -1,6 +1,7 @@
 #include "layer/vulkan/presenter.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "gen/cache/quiet_thread.h"
 #include "layer/vulkan/device.h"
@@ -46,13 +47,15 @@ void Presenter::run() {
   for (;;) {
     changed_.wait(lock, [&] { return stop_ || !pictures_.empty(); });
     if (pictures_.empty()) return;
-    Picture& picture = pictures_.front();
+    // Taken out: others may be added meanwhile, and move it.
+    Picture& first = pictures_.front();
+    const Picture picture{first.swapchain, first.image, first.serial, std::move(first.damage)};
     lock.unlock();
     // Not with the queue in hand: others submit meanwhile.
     device_.timeline().wait(picture.serial, UINT64_MAX);
     picture.swapchain->show(picture.image, picture.damage);
     lock.lock();
-    pictures_.pop_front();
+    pictures_.erase(pictures_.begin());
     changed_.notify_all();
   }
 }

@@ -5,7 +5,6 @@
 #include <volk.h>
 
 #include <condition_variable>
-#include <deque>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -40,7 +39,7 @@ class Presenter {
   VulkanDevice& device_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<Picture> pictures_;  // the first is being shown
+  std::vector<Picture> pictures_;  // the first is being shown
   bool stop_ = false;
   std::thread thread_;  // started with the first picture
 };
