@@ -37,7 +37,7 @@ GLint normalisedToInt(double value) {
   return saturate(std::nearbyint((4294967295.0 * value - 1.0) / 2.0));
 }
 
-void Results::put(double value, Kind kind) {
+void Results::putOne(Kind kind, double value) {
   const int i = count_++;
   switch (form_) {
     case Form::Boolean:

@@ -161,44 +161,6 @@ void updateListener(Context& c) {
   c.renderer->setListener(c.debugOutput ? c.debug.get() : nullptr);
 }
 
-bool getDebugOutput(Context& c, GLenum name, Results& results) {
-  switch (name) {
-    case GL_MAX_DEBUG_MESSAGE_LENGTH_KHR:
-      results.integer(kMostMessageLength);
-      return true;
-    case GL_MAX_DEBUG_LOGGED_MESSAGES_KHR:
-      results.integer(kMostLoggedMessages);
-      return true;
-    case GL_DEBUG_LOGGED_MESSAGES_KHR:
-      results.integer(static_cast<double>(c.debug->log.size()));
-      return true;
-    case GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH_KHR:
-      results.integer(c.debug->log.empty() ? 0 : static_cast<double>(c.debug->log.front().text.size() + 1));
-      return true;
-    case GL_MAX_DEBUG_GROUP_STACK_DEPTH_KHR:
-      results.integer(kDebugGroupDepth);
-      return true;
-    case GL_DEBUG_GROUP_STACK_DEPTH_KHR:
-      results.integer(c.debug->depth());
-      return true;
-    case GL_MAX_LABEL_LENGTH_KHR:
-      results.integer(kMostLabelLength);
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool getDebugPointer(Context& c, GLenum name, void** out) {
-  if (name == GL_DEBUG_CALLBACK_FUNCTION_KHR)
-    *out = reinterpret_cast<void*>(c.debug->callback);
-  else if (name == GL_DEBUG_CALLBACK_USER_PARAM_KHR)
-    *out = const_cast<void*>(c.debug->userParam);
-  else
-    return false;
-  return true;
-}
-
 std::string_view textOf(const GLchar* text, GLsizei length) {
   if (!text) return {};
   return {text, length < 0 ? std::strlen(text) : static_cast<size_t>(length)};

@@ -8,7 +8,6 @@
 
 #include "layer/gl/context.h"
 #include "layer/gl/missing_enums.h"
-#include "layer/gl/params.h"
 
 namespace anteroom::gl {
 
@@ -75,10 +74,6 @@ void logError(GLenum code, const Fault& fault, const char* command);
 
 // Tells the renderer whether anybody listens: after debugOutput changed.
 void updateListener(Context& c);
-
-// The names that GetIntegerv and GetPointerv take of KHR_debug. False: not one of them.
-bool getDebugOutput(Context& c, GLenum name, Results& results);
-bool getDebugPointer(Context& c, GLenum name, void** out);
 
 // The characters of a string that has `length`, or a null at its end where that is negative.
 std::string_view textOf(const GLchar* text, GLsizei length);

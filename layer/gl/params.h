@@ -1,6 +1,8 @@
 // The parameters of a command that has float, fixed-point and integer forms, read as numbers or as enums.
 #pragma once
 
+#include <type_traits>
+
 #include "layer/gl/context.h"
 
 namespace anteroom::gl {
@@ -71,11 +73,23 @@ class Results {
 
   Results(void* out, Form form) : out_(out), form_(form) {}
 
-  void boolean(bool value) { put(value ? 1 : 0, Kind::Boolean); }
-  void integer(double value) { put(value, Kind::Integer); }
-  void enumerant(GLenum value) { put(value, Kind::Enum); }
-  void number(double value) { put(value, Kind::Number); }
-  void normalised(double value) { put(value, Kind::Normalised); }
+  // A value; or those of a vector, of a matrix column by column, or of a list.
+  template <class T>
+  void put(Kind kind, const T& value) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      putOne(kind, static_cast<double>(value));
+    } else if constexpr (requires { value.begin(); }) {
+      for (const auto& element : value) put(kind, element);
+    } else {
+      for (int i = 0; i < T::length(); ++i) put(kind, value[i]);
+    }
+  }
+
+  void boolean(bool value) { putOne(Kind::Boolean, value ? 1 : 0); }
+  void integer(double value) { putOne(Kind::Integer, value); }
+  void enumerant(GLenum value) { putOne(Kind::Enum, value); }
+  void number(double value) { putOne(Kind::Number, value); }
+  void normalised(double value) { putOne(Kind::Normalised, value); }
   template <class V>
   void numbers(const V& v) {
     for (int i = 0; i < V::length(); ++i) number(v[i]);
@@ -86,7 +100,7 @@ class Results {
   }
 
  private:
-  void put(double value, Kind kind);
+  void putOne(Kind kind, double value);
 
   void* out_;
   Form form_;
