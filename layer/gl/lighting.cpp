@@ -1,7 +1,7 @@
 // Section 2.12: lights, material, light model, shading, and their queries (6.1.3).
 #include <glm/mat3x3.hpp>
 
-#include "layer/gl/params.h"
+#include "layer/gl/query.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -129,59 +129,52 @@ void setLightModel(GLenum pname, const Params& params, const char* command = __b
   c->set(c->state.fixed.lighting.modelAmbient, params.vec4(), kLighting);
 }
 
+using enum Results::Kind;
+
+// Table 6.10
+constexpr auto kLightQueries = sortedByName<Query<gen::Light>>({
+    {GL_AMBIENT, Normalised, [](gen::Light& light) { return light.ambient; }},
+    {GL_DIFFUSE, Normalised, [](gen::Light& light) { return light.diffuse; }},
+    {GL_SPECULAR, Normalised, [](gen::Light& light) { return light.specular; }},
+    {GL_POSITION, Number, [](gen::Light& light) { return light.position; }},
+    {GL_SPOT_DIRECTION, Number, [](gen::Light& light) { return light.spotDirection; }},
+    {GL_SPOT_EXPONENT, Number, [](gen::Light& light) { return light.spotExponent; }},
+    {GL_SPOT_CUTOFF, Number, [](gen::Light& light) { return light.spotCutoff; }},
+    {GL_CONSTANT_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.x; }},
+    {GL_LINEAR_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.y; }},
+    {GL_QUADRATIC_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.z; }},
+});
+
 void getLight(GLenum name, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  const gen::Light* light = lightOf(*c, name);
+  gen::Light* light = lightOf(*c, name);
   if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
-  switch (pname) {
-    case GL_AMBIENT:
-      return results.normaliseds(light->ambient);
-    case GL_DIFFUSE:
-      return results.normaliseds(light->diffuse);
-    case GL_SPECULAR:
-      return results.normaliseds(light->specular);
-    case GL_POSITION:
-      return results.numbers(light->position);
-    case GL_SPOT_DIRECTION:
-      return results.numbers(light->spotDirection);
-    case GL_SPOT_EXPONENT:
-      return results.number(light->spotExponent);
-    case GL_SPOT_CUTOFF:
-      return results.number(light->spotCutoff);
-    case GL_CONSTANT_ATTENUATION:
-      return results.number(light->attenuation.x);
-    case GL_LINEAR_ATTENUATION:
-      return results.number(light->attenuation.y);
-    case GL_QUADRATIC_ATTENUATION:
-      return results.number(light->attenuation.z);
-    default:
-      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
-  }
+  if (!answer(kLightQueries, *light, pname, results))
+    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
 }
+
+// What ambient and diffuse are while they follow the current color.
+glm::vec4 tracked(const Context& c, const glm::vec4& field) {
+  return c.state.fixed.lighting.colorMaterial ? c.state.fixed.attributes[gen::kColor].current : field;
+}
+
+// Table 6.9
+constexpr auto kMaterialQueries = sortedByName<Query<Context>>({
+    {GL_AMBIENT, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.ambient); }},
+    {GL_DIFFUSE, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.diffuse); }},
+    {GL_SPECULAR, Normalised, [](Context& c) { return c.state.fixed.lighting.material.specular; }},
+    {GL_EMISSION, Normalised, [](Context& c) { return c.state.fixed.lighting.material.emission; }},
+    {GL_SHININESS, Number, [](Context& c) { return c.state.fixed.lighting.material.shininess; }},
+});
 
 void getMaterial(GLenum face, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   if (face != GL_FRONT && face != GL_BACK)
     return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT or BACK"), command);
-  const gen::Lighting& lighting = c->state.fixed.lighting;
-  const gen::Material& material = lighting.material;
-  const glm::vec4& tracked = c->state.fixed.attributes[gen::kColor].current;
-  switch (pname) {
-    case GL_AMBIENT:
-      return results.normaliseds(lighting.colorMaterial ? tracked : material.ambient);
-    case GL_DIFFUSE:
-      return results.normaliseds(lighting.colorMaterial ? tracked : material.diffuse);
-    case GL_SPECULAR:
-      return results.normaliseds(material.specular);
-    case GL_EMISSION:
-      return results.normaliseds(material.emission);
-    case GL_SHININESS:
-      return results.number(material.shininess);
-    default:
-      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
-  }
+  if (!answer(kMaterialQueries, *c, pname, results))
+    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
 }
 
 }  // namespace

@@ -85,20 +85,6 @@ class Results {
     }
   }
 
-  void boolean(bool value) { putOne(Kind::Boolean, value ? 1 : 0); }
-  void integer(double value) { putOne(Kind::Integer, value); }
-  void enumerant(GLenum value) { putOne(Kind::Enum, value); }
-  void number(double value) { putOne(Kind::Number, value); }
-  void normalised(double value) { putOne(Kind::Normalised, value); }
-  template <class V>
-  void numbers(const V& v) {
-    for (int i = 0; i < V::length(); ++i) number(v[i]);
-  }
-  template <class V>
-  void normaliseds(const V& v) {
-    for (int i = 0; i < V::length(); ++i) normalised(v[i]);
-  }
-
  private:
   void putOne(Kind kind, double value);
 

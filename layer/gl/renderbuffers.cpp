@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "layer/gl/framebuffer_object.h"
+#include "layer/gl/query.h"
 #include "layer/gl/tool_names.h"
 
 using namespace anteroom::gl;
@@ -115,6 +116,27 @@ void specifyStorage(GLenum target, GLsizei samples, GLenum internalformat, GLsiz
   c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
 }
 
+render::FormatInfo bitsOf(const Renderbuffer& r) {
+  return r.image ? render::info(r.image->desc().format) : render::FormatInfo{};
+}
+
+using enum Results::Kind;
+
+// OES_framebuffer_object, EXT_multisampled_render_to_texture, IMG_multisampled_render_to_texture.
+constexpr auto kRenderbufferQueries = sortedByName<Query<Renderbuffer>>({
+    {GL_RENDERBUFFER_WIDTH_OES, Integer, [](Renderbuffer& r) { return r.width; }},
+    {GL_RENDERBUFFER_HEIGHT_OES, Integer, [](Renderbuffer& r) { return r.height; }},
+    {GL_RENDERBUFFER_INTERNAL_FORMAT_OES, Enum, [](Renderbuffer& r) { return r.internalFormat; }},
+    {GL_RENDERBUFFER_RED_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).red; }},
+    {GL_RENDERBUFFER_GREEN_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).green; }},
+    {GL_RENDERBUFFER_BLUE_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).blue; }},
+    {GL_RENDERBUFFER_ALPHA_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).alpha; }},
+    {GL_RENDERBUFFER_DEPTH_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).depth; }},
+    {GL_RENDERBUFFER_STENCIL_SIZE_OES, Integer, [](Renderbuffer& r) { return bitsOf(r).stencil; }},
+    {GL_RENDERBUFFER_SAMPLES_EXT, Integer, [](Renderbuffer& r) { return r.samples; }},
+    {GL_RENDERBUFFER_SAMPLES_IMG, Integer, [](Renderbuffer& r) { return r.samples; }},
+});
+
 }  // namespace
 
 GL_API GLboolean GL_APIENTRY glIsRenderbufferOES(GLuint renderbuffer) {
@@ -189,47 +211,13 @@ GL_API void GL_APIENTRY glGetRenderbufferParameterivOES(GLenum target, GLenum pn
   if (target != GL_RENDERBUFFER_OES)
     return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, "Use RENDERBUFFER_OES"));
   ShareLock lock(*c->group);
-  const Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
+  Renderbuffer* renderbuffer = c->boundRenderbuffer.get();
   if (!renderbuffer)
     return c->setError(GL_INVALID_OPERATION,
                        wrongState("No renderbuffer is bound", "Bind one with glBindRenderbufferOES first"));
   if (!params) return;
-  const render::FormatInfo bits =
-      renderbuffer->image ? render::info(renderbuffer->image->desc().format) : render::FormatInfo{};
-  switch (pname) {
-    case GL_RENDERBUFFER_WIDTH_OES:
-      *params = renderbuffer->width;
-      break;
-    case GL_RENDERBUFFER_HEIGHT_OES:
-      *params = renderbuffer->height;
-      break;
-    case GL_RENDERBUFFER_INTERNAL_FORMAT_OES:
-      *params = static_cast<GLint>(renderbuffer->internalFormat);
-      break;
-    case GL_RENDERBUFFER_RED_SIZE_OES:
-      *params = bits.red;
-      break;
-    case GL_RENDERBUFFER_GREEN_SIZE_OES:
-      *params = bits.green;
-      break;
-    case GL_RENDERBUFFER_BLUE_SIZE_OES:
-      *params = bits.blue;
-      break;
-    case GL_RENDERBUFFER_ALPHA_SIZE_OES:
-      *params = bits.alpha;
-      break;
-    case GL_RENDERBUFFER_DEPTH_SIZE_OES:
-      *params = bits.depth;
-      break;
-    case GL_RENDERBUFFER_STENCIL_SIZE_OES:
-      *params = bits.stencil;
-      break;
-    case GL_RENDERBUFFER_SAMPLES_EXT:
-    case GL_RENDERBUFFER_SAMPLES_IMG:
-      *params = renderbuffer->samples;
-      break;
-    default:
-      c->setError(GL_INVALID_ENUM,
-                  wrongEnum("pname", pname, "Ask for RENDERBUFFER_WIDTH_OES or another of its values"));
-  }
+  Results results(params, Results::Form::Integer);
+  if (!answer(kRenderbufferQueries, *renderbuffer, pname, results))
+    c->setError(GL_INVALID_ENUM,
+                wrongEnum("pname", pname, "Ask for RENDERBUFFER_WIDTH_OES or another of its values"));
 }

@@ -1,7 +1,7 @@
 // Sections 3.7.12 and 3.3: texture environments and point sprite coordinates; the active unit (2.10.2); and
 // texture coordinate generation (OES_texture_cube_map).
 #include "gen/ati.h"
-#include "layer/gl/params.h"
+#include "layer/gl/query.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -193,36 +193,33 @@ void setEnv(GLenum target, GLenum pname, const Params& params, const char* comma
   c->set(*field, params.enumerant(), kTextures);
 }
 
+using enum Results::Kind;
+
+// Table 6.15 but for its enums (enumOf), and ATIX_texture_env_route.
+constexpr auto kEnvQueries = sortedByName<Query<Context>>({
+    {GL_TEXTURE_ENV_COLOR, Normalised, [](Context& c) { return activeUnit(c).env.color; }},
+    {GL_RGB_SCALE, Number, [](Context& c) { return activeUnit(c).env.rgbScale; }},
+    {GL_ALPHA_SCALE, Number, [](Context& c) { return activeUnit(c).env.alphaScale; }},
+    {gen::kTextureOutputRgb, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputRgb); }},
+    {gen::kTextureOutputAlpha, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputAlpha); }},
+});
+
 void getEnv(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   gen::TextureEnv& env = activeUnit(*c).env;
   if (target == GL_POINT_SPRITE_OES && pname == GL_COORD_REPLACE_OES)
-    return results.boolean(env.coordReplace);
+    return results.put(Boolean, env.coordReplace);
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT && pname == GL_TEXTURE_LOD_BIAS_EXT)
-    return results.number(env.lodBias);
+    return results.put(Number, env.lodBias);
   if (target != GL_TEXTURE_ENV)
     return c->setError(
         GL_INVALID_ENUM,
         wrongEnum("target", target, "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT"),
         command);
-  switch (pname) {
-    case GL_TEXTURE_ENV_COLOR:
-      return results.normaliseds(env.color);
-    case GL_RGB_SCALE:
-      return results.number(env.rgbScale);
-    case GL_ALPHA_SCALE:
-      return results.number(env.alphaScale);
-    case gen::kTextureOutputRgb:
-      return results.enumerant(output(*c, env.outputRgb));
-    case gen::kTextureOutputAlpha:
-      return results.enumerant(output(*c, env.outputAlpha));
-    default:
-      break;
-  }
-  const GLenum* field = enumOf(env, pname);
-  if (!field) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
-  results.enumerant(*field);
+  if (const GLenum* field = enumOf(env, pname)) return results.put(Enum, *field);
+  if (!answer(kEnvQueries, *c, pname, results))
+    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
 }
 
 void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
@@ -250,7 +247,7 @@ void getTexGen(GLenum coord, GLenum pname, Results results, const char* command 
                                  coord != GL_TEXTURE_GEN_STR_OES ? coord : pname,
                                  "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES"),
                        command);
-  results.enumerant(activeUnit(*c).texGenMode);
+  results.put(Enum, activeUnit(*c).texGenMode);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // TexParameter and its queries (sections 3.7.5, 6.1.3).
 #include "gen/ati.h"
 #include "layer/gl/missing_enums.h"
-#include "layer/gl/params.h"
+#include "layer/gl/query.h"
 #include "layer/gl/texture.h"
 
 using namespace anteroom::gl;
@@ -93,6 +93,25 @@ void setParameters(GLenum target, GLenum pname, const Params& params, const T* v
   for (size_t i = 0; i < 4; ++i) boundTexture(*c, slot).cropRect[i] = toInt(values[i]);
 }
 
+using enum Results::Kind;
+
+// Table 6.14, OES_draw_texture, OES_texture_3D, OES_EGL_image_external, EXT_texture_filter_anisotropic,
+// EXT_texture_storage, APPLE_texture_max_level. Booleans are not scaled in fixed point, like the values that
+// set them.
+constexpr auto kTextureQueries = sortedByName<Query<Texture>>({
+    {GL_TEXTURE_MIN_FILTER, Enum, [](Texture& t) { return t.sampler.minFilter; }},
+    {GL_TEXTURE_MAG_FILTER, Enum, [](Texture& t) { return t.sampler.magFilter; }},
+    {GL_TEXTURE_WRAP_S, Enum, [](Texture& t) { return t.sampler.wrapS; }},
+    {GL_TEXTURE_WRAP_T, Enum, [](Texture& t) { return t.sampler.wrapT; }},
+    {GL_GENERATE_MIPMAP, Enum, [](Texture& t) { return t.generateMipmap; }},
+    {GL_TEXTURE_CROP_RECT_OES, Integer, [](Texture& t) { return t.cropRect; }},
+    {GL_TEXTURE_WRAP_R_OES, Enum, [](Texture& t) { return t.sampler.wrapR; }},
+    {GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, Integer, [](Texture&) { return 1; }},
+    {GL_TEXTURE_MAX_ANISOTROPY_EXT, Number, [](Texture& t) { return t.sampler.maxAnisotropy; }},
+    {GL_TEXTURE_IMMUTABLE_FORMAT_EXT, Enum, [](Texture& t) { return t.immutable(); }},
+    {GL_TEXTURE_MAX_LEVEL_APPLE, Integer, [](Texture& t) { return t.sampler.maxLevel; }},
+});
+
 void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
                   const char* command = __builtin_FUNCTION()) {
   Context* c = current();
@@ -102,36 +121,9 @@ void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
     return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
   if (!params) return;
   ShareLock lock(*c->group);
-  const Texture& texture = boundTexture(*c, slot);
   Results results(params, form);
-  switch (pname) {
-    case GL_TEXTURE_MIN_FILTER:
-      return results.enumerant(texture.sampler.minFilter);
-    case GL_TEXTURE_MAG_FILTER:
-      return results.enumerant(texture.sampler.magFilter);
-    case GL_TEXTURE_WRAP_S:
-      return results.enumerant(texture.sampler.wrapS);
-    case GL_TEXTURE_WRAP_T:
-      return results.enumerant(texture.sampler.wrapT);
-    case GL_TEXTURE_WRAP_R_OES:
-      return results.enumerant(texture.sampler.wrapR);
-    // Not scaled in fixed point, like the value that sets it.
-    case GL_GENERATE_MIPMAP:
-      return results.enumerant(texture.generateMipmap ? GL_TRUE : GL_FALSE);
-    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
-      return results.number(texture.sampler.maxAnisotropy);
-    case GL_TEXTURE_MAX_LEVEL_APPLE:
-      return results.integer(texture.sampler.maxLevel);
-    case GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES:
-      return results.integer(1);
-    case GL_TEXTURE_IMMUTABLE_FORMAT_EXT:
-      return results.enumerant(texture.immutable() ? GL_TRUE : GL_FALSE);
-    case GL_TEXTURE_CROP_RECT_OES:
-      for (const GLint coordinate : texture.cropRect) results.integer(coordinate);
-      return;
-    default:
-      c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
-  }
+  if (!answer(kTextureQueries, boundTexture(*c, slot), pname, results))
+    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
 }
 
 }  // namespace
