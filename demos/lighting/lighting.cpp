@@ -17,7 +17,7 @@
 #include "room/context.h"
 #include "room/passes.h"
 #include "room/transform.h"
-#include "scene.h"
+#include "set/scene.h"
 
 namespace lighting {
 namespace {

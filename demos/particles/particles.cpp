@@ -12,11 +12,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "cellar.h"
 #include "fire.h"
 #include "room/context.h"
 #include "room/passes.h"
 #include "room/transform.h"
+#include "set/cellar.h"
 
 namespace particles {
 namespace {

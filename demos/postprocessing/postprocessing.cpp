@@ -10,9 +10,9 @@
 #include <string>
 
 #include "bloom.h"
-#include "chapel.h"
 #include "room/passes.h"
 #include "room/transform.h"
+#include "set/chapel.h"
 
 namespace postprocessing {
 namespace {

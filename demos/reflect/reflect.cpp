@@ -11,13 +11,13 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
-#include "playroom.h"
 #include "room/context.h"
 #include "room/framebuffer.h"
 #include "room/overlay.h"
 #include "room/passes.h"
 #include "room/reflection.h"
 #include "room/transform.h"
+#include "set/playroom.h"
 
 namespace reflect {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hand.h"
+#include "set/hand.h"
 
 namespace skinning {
 

@@ -12,12 +12,12 @@
 #include <optional>
 #include <string>
 
-#include "hand_textures.h"
-#include "parlour.h"
 #include "room/context.h"
 #include "room/noise.h"
 #include "room/passes.h"
 #include "room/transform.h"
+#include "set/hand_textures.h"
+#include "set/parlour.h"
 #include "skin.h"
 
 namespace skinning {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "measures.h"
 #include "room/noise.h"
+#include "set/measures.h"
 
 namespace water {
 namespace {

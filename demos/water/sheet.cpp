@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "atrium.h"
-#include "measures.h"
+#include "set/atrium.h"
+#include "set/measures.h"
 
 namespace water {
 namespace {

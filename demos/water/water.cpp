@@ -11,13 +11,13 @@
 #include <optional>
 #include <stdexcept>
 
-#include "atrium.h"
 #include "pond.h"
 #include "room/context.h"
 #include "room/framebuffer.h"
 #include "room/passes.h"
 #include "room/reflection.h"
 #include "room/transform.h"
+#include "set/atrium.h"
 #include "sheet.h"
 #include "waves.h"
 

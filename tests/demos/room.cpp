@@ -9,9 +9,9 @@
 #include "room/bounds.h"
 #include "room/font.h"
 #include "room/framebuffer.h"
-#include "room/light_bake.h"
 #include "room/noise.h"
 #include "room/picture.h"
+#include "room/set/light_bake.h"
 #include "room/texture.h"
 
 namespace {

@@ -9,7 +9,7 @@
 
 #include "room/context.h"
 #include "room/picture.h"
-#include "skinning/hand.h"
+#include "skinning/set/hand.h"
 #include "skinning/skinning.h"
 
 namespace {

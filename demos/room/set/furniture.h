@@ -1,7 +1,7 @@
 // Furniture that stands in more than one room. Lengths in metres.
 #pragma once
 
-#include "mesh.h"
+#include "room/mesh.h"
 
 namespace room {
 

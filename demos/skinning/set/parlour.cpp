@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "parlour_materials.h"
-#include "room/furniture.h"
-#include "room/materials.h"
+#include "room/set/furniture.h"
+#include "room/set/materials.h"
 
 namespace skinning {
 namespace {

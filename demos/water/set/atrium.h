@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "measures.h"
-#include "room/light_bake.h"
 #include "room/mesh.h"
+#include "room/set/light_bake.h"
 #include "room/texture.h"
 
 namespace water {

@@ -5,9 +5,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "room/furniture.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/furniture.h"
+#include "room/set/materials.h"
 #include "toys.h"
 #include "train.h"
 

@@ -6,9 +6,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "can.h"
-#include "room/furniture.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/furniture.h"
+#include "room/set/materials.h"
 #include "scene.h"
 
 namespace lighting {

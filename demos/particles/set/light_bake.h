@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "room/image.h"
-#include "room/obstacles.h"
+#include "room/set/obstacles.h"
 
 namespace particles {
 

@@ -9,8 +9,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "measures.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace postprocessing {
 namespace {

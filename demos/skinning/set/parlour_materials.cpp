@@ -5,8 +5,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace skinning {
 namespace {

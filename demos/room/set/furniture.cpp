@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "materials.h"
-#include "noise.h"
+#include "room/noise.h"
 
 namespace room {
 

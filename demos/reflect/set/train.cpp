@@ -5,7 +5,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "room/furniture.h"
+#include "room/set/furniture.h"
 
 namespace reflect {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "transform.h"
+#include "room/transform.h"
 
 namespace room {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "painted_stone.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace water {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "room/light_bake.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/light_bake.h"
+#include "room/set/materials.h"
 
 namespace particles {
 namespace {

@@ -1,7 +1,7 @@
 // Procedural materials. Each is a function of texture coordinates in [0,1) that repeats seamlessly.
 #pragma once
 
-#include "image.h"
+#include "room/image.h"
 
 namespace room {
 

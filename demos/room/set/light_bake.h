@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "image.h"
-#include "mesh.h"
 #include "obstacles.h"
+#include "room/image.h"
+#include "room/mesh.h"
 
 namespace room {
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "lighting/spotlight.h"
 #include "room/mesh.h"
 #include "room/texture.h"
-#include "spotlight.h"
 
 namespace lighting {
 

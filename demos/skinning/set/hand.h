@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "skeleton.h"
+#include "skinning/skeleton.h"
 
 namespace skinning {
 

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <vector>
 
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace lighting {
 namespace {

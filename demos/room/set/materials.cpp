@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "noise.h"
+#include "room/noise.h"
 
 namespace room {
 namespace {

@@ -4,9 +4,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "parlour.h"
-#include "room/furniture.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/furniture.h"
+#include "room/set/materials.h"
 
 namespace skinning {
 namespace {

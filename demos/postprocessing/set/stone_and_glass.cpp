@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace postprocessing {
 namespace {

@@ -1,13 +1,13 @@
 // What stands in the cellar. Lengths in metres, y up, the floor at 0.
-#include "room/furniture.h"
+#include "room/set/furniture.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "cellar.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace particles {
 namespace {

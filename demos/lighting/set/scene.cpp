@@ -6,7 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "can.h"
-#include "room/materials.h"
+#include "room/set/materials.h"
 
 namespace lighting {
 namespace {

@@ -5,8 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "room/furniture.h"
 #include "room/noise.h"
+#include "room/set/furniture.h"
 
 namespace reflect {
 namespace {

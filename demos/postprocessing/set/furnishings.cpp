@@ -6,8 +6,8 @@
 
 #include "chapel.h"
 #include "measures.h"
-#include "room/materials.h"
 #include "room/noise.h"
+#include "room/set/materials.h"
 
 namespace postprocessing {
 namespace {

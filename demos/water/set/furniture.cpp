@@ -1,5 +1,5 @@
 // What stands in the atrium.
-#include "room/furniture.h"
+#include "room/set/furniture.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
