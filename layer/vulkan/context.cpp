@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "layer/vulkan/device.h"
-#include "layer/vulkan/driver_cache.h"
-#include "layer/vulkan/pipeline_cache.h"
-#include "layer/vulkan/presenter.h"
-#include "layer/vulkan/shader_library.h"
-#include "layer/vulkan/timeline.h"
+#include "layer/vulkan/device/device.h"
+#include "layer/vulkan/device/timeline.h"
+#include "layer/vulkan/pipelines/driver_cache.h"
+#include "layer/vulkan/pipelines/pipeline_cache.h"
+#include "layer/vulkan/pipelines/shader_library.h"
+#include "layer/vulkan/windows/presenter.h"
 
 namespace anteroom::vulkan {
 namespace {

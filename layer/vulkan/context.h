@@ -4,14 +4,14 @@
 #include <volk.h>
 
 #include "layer/render/renderer.h"
-#include "layer/vulkan/command_stream.h"
-#include "layer/vulkan/device.h"
-#include "layer/vulkan/draw_state.h"
-#include "layer/vulkan/index_fetch.h"
-#include "layer/vulkan/pass.h"
-#include "layer/vulkan/pipeline_key.h"
-#include "layer/vulkan/stream.h"
-#include "layer/vulkan/vertex_fetch.h"
+#include "layer/vulkan/device/device.h"
+#include "layer/vulkan/geometry/index_fetch.h"
+#include "layer/vulkan/geometry/vertex_fetch.h"
+#include "layer/vulkan/pipelines/draw_state.h"
+#include "layer/vulkan/pipelines/pipeline_key.h"
+#include "layer/vulkan/recording/command_stream.h"
+#include "layer/vulkan/recording/pass.h"
+#include "layer/vulkan/resources/stream.h"
 
 namespace anteroom::vulkan {
 

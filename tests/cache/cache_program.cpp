@@ -7,8 +7,8 @@
 #include <cstring>
 #include <thread>
 
-#include "layer/vulkan/device.h"
-#include "layer/vulkan/pipeline_cache.h"
+#include "layer/vulkan/device/device.h"
+#include "layer/vulkan/pipelines/pipeline_cache.h"
 #include "tests/render/scene.h"
 
 namespace {

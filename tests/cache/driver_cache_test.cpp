@@ -4,7 +4,7 @@
 #include <cstring>
 #include <vector>
 
-#include "layer/vulkan/driver_cache.h"
+#include "layer/vulkan/pipelines/driver_cache.h"
 
 namespace anteroom::test {
 namespace {

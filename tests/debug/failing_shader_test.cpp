@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "layer/vulkan/device.h"
-#include "layer/vulkan/pipeline_cache.h"
-#include "layer/vulkan/shader_dump.h"
-#include "layer/vulkan/shader_library.h"
+#include "layer/vulkan/debug/shader_dump.h"
+#include "layer/vulkan/device/device.h"
+#include "layer/vulkan/pipelines/pipeline_cache.h"
+#include "layer/vulkan/pipelines/shader_library.h"
 #include "tests/debug/harness.h"
 
 namespace anteroom::test {

@@ -11,8 +11,8 @@
 #include "gen/cache/driver_blob.h"
 #include "gen/cache/spirv_check.h"
 #include "gen/cache/store.h"
-#include "layer/vulkan/driver_cache.h"
-#include "layer/vulkan/pipeline_words.h"
+#include "layer/vulkan/pipelines/driver_cache.h"
+#include "layer/vulkan/pipelines/pipeline_words.h"
 #include "tests/cache/fuzz/target.h"
 
 namespace {

@@ -1,0 +1,60 @@
+// Fixed-function raster and fragment state in Vulkan's terms, canonical: what cannot matter has one fixed
+// value.
+#pragma once
+
+#include <volk.h>
+
+#include "layer/render/state.h"
+#include "layer/vulkan/device/features.h"
+#include "layer/vulkan/recording/pass.h"
+
+namespace anteroom::vulkan {
+
+// State that a pipeline bakes on devices where it is not dynamic. Bytes only: hashed and compared whole.
+struct BakedState {
+  uint8_t topology = 0;
+  // VK_EXT_extended_dynamic_state
+  uint8_t cullMode = 0, frontFace = 0;
+  uint8_t depthTest = 0, depthWrite = 0, depthCompare = 0;
+  uint8_t stencilTest = 0, stencilCompare = 0, stencilFail = 0, stencilPass = 0, stencilDepthFail = 0;
+  // VK_EXT_extended_dynamic_state2
+  uint8_t depthBias = 0, logicOp = 0;
+  // VK_EXT_extended_dynamic_state3
+  uint8_t logicOpEnable = 0, blend = 0, srcRgb = 0, dstRgb = 0, opRgb = 0, srcAlpha = 0, dstAlpha = 0,
+          opAlpha = 0, writeMask = 0;
+  uint8_t alphaToCoverage = 0, alphaToOne = 0, lineMode = 0, sampleMask = 0;
+  bool operator==(const BakedState&) const = default;
+};
+static_assert(std::has_unique_object_representations_v<BakedState>);
+
+struct DrawState {
+  BakedState fixed;
+  // Dynamic everywhere.
+  VkViewport viewport{};
+  VkRect2D scissor{};
+  float lineWidth = 1, biasFactor = 0, biasUnits = 0, biasClamp = 0;
+  uint32_t stencilCompareMask = 0xff, stencilWriteMask = 0xff, stencilReference = 0;
+};
+
+// Whether nothing can be drawn: an empty viewport or scissor, both faces culled (triangles only).
+struct DrawStateResult {
+  bool nothing = false;
+};
+DrawStateResult translate(const render::State& state, const Target& target, const Features& features,
+                          const VkPhysicalDeviceLimits& limits, DrawState& out);
+
+// The same without what the device takes as dynamic state.
+BakedState baked(const BakedState& state, const Features& features);
+
+VkPrimitiveTopology topologyOf(GLenum mode);
+VkRect2D flipped(const render::Rect& rect, const Target& target);
+// The part of `rect` that lies inside the target.
+render::Rect clipped(const render::Rect& rect, const Target& target);
+// Components of a color mask that the target has.
+uint8_t writeMask(const std::array<bool, 4>& mask, const Target& target);
+
+// Sends what differs from what was sent before, or all of it.
+void emit(const VolkDeviceTable& fn, VkCommandBuffer commands, const Features& features, uint32_t samples,
+          const DrawState& wanted, DrawState& sent, bool all);
+
+}  // namespace anteroom::vulkan

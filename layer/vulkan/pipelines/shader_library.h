@@ -1,0 +1,83 @@
+// Shaders by key, and shaders of the renderer's own.
+#pragma once
+
+#include <volk.h>
+
+#include <atomic>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+
+#include "gen/cache/rows.h"
+#include "layer/vulkan/pipelines/made_once.h"
+
+namespace anteroom::vulkan {
+
+class VulkanDevice;
+struct ShaderText;
+
+struct Shader {
+  VkShaderModule module = VK_NULL_HANDLE;
+  uint32_t id = 0;  // unlike any other shader's on this device
+  gen::KeyKind kind = gen::KeyKind::Vertex;
+  gen::KeyBytes key;  // lives as long as the shader
+};
+
+// A shader that no key makes; GLSL with static lifetime.
+struct OwnShader {
+  gen::Stage stage;
+  const char* text;
+};
+// All that there are.
+std::span<const OwnShader> ownShaders();
+extern const char kHudFragment[];  // hud.cpp
+
+// Whether statistics tell of what is made, and a later run makes it ahead.
+enum class Counted : bool { No, Yes };
+
+// Thread-safe. Shaders live as long as the device; a pointer to one stays valid.
+class ShaderLibrary {
+ public:
+  explicit ShaderLibrary(VulkanDevice& device) : device_(device) {}
+  ~ShaderLibrary();
+
+  // Opens the shader cache, and builds the compiler's tables when it will be needed, beside the program's own
+  // start. Once a process.
+  static void warmUp();
+  // Writes what is new to the shader cache.
+  static void flush();
+
+  // Null: the shader cannot be made; the reason was logged.
+  const Shader* get(const gen::VertexKey& key);
+  const Shader* get(const gen::FragmentKey& key);
+  // One of ownShaders().
+  const Shader* get(gen::Stage stage, const char* text, Counted counted = Counted::Yes);
+  // By gen::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
+  const Shader* get(gen::Stage stage, const std::string& words);
+
+  uint64_t compiled() const { return compiled_; }
+  uint64_t fromCache() const { return fromCache_; }
+
+ private:
+  template <class Key>
+  struct KeyHash {
+    size_t operator()(const Key& key) const { return gen::hash(key); }
+  };
+  template <class Key>
+  using Map = MadeOnce<Key, Shader, KeyHash<Key>>;
+
+  void create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
+  VkShaderModule createModule(const std::vector<uint32_t>& spirv, const ShaderText& text);
+  // Empty: it does not compile.
+  std::vector<uint32_t> compile(gen::KeyKind kind, gen::KeyBytes key);
+
+  VulkanDevice& device_;
+  Map<gen::VertexKey> vertex_;
+  Map<gen::FragmentKey> fragment_;
+  MadeOnce<const char*, Shader, std::hash<const char*>> own_;
+  std::atomic<uint32_t> nextId_{1};
+  std::atomic<uint64_t> compiled_{0}, fromCache_{0};
+};
+
+}  // namespace anteroom::vulkan

@@ -1,0 +1,260 @@
+#include "layer/vulkan/recording/pass.h"
+
+#include "layer/vulkan/device/device.h"
+#include "layer/vulkan/recording/command_stream.h"
+
+namespace anteroom::vulkan {
+
+Target targetOf(const render::Framebuffer& framebuffer) {
+  Target target;
+  const render::Attachment& color = framebuffer.color;
+  const bool hasDepth = framebuffer.depth.image != nullptr;
+  const render::Attachment& depth = hasDepth ? framebuffer.depth : framebuffer.stencil;
+  target.colorImage = color.image;
+  target.depthImage = depth.image;
+  target.color = static_cast<VulkanImage*>(color.image.get());
+  target.depth = static_cast<VulkanImage*>(depth.image.get());
+  target.resolveImage = framebuffer.resolve.image;
+  target.resolve = static_cast<VulkanImage*>(framebuffer.resolve.image.get());
+  target.resolveLevel = framebuffer.resolve.level;
+  target.resolveLayer = framebuffer.resolve.layer;
+  target.colorLevel = color.level;
+  target.colorLayer = color.layer;
+  target.depthLevel = depth.level;
+  target.depthLayer = depth.layer;
+  target.hasDepth = hasDepth;
+  target.hasStencil = framebuffer.stencil.image != nullptr && framebuffer.stencil.image == depth.image;
+  target.width = framebuffer.width;
+  target.height = framebuffer.height;
+  target.samples = framebuffer.samples;
+  target.yDown = framebuffer.yDown;
+  return target;
+}
+
+LegacyPasses::~LegacyPasses() {
+  for (const Entry& entry : entries_) device_.fn().vkDestroyRenderPass(device_.handle(), entry.pass, nullptr);
+}
+
+VkRenderPass LegacyPasses::get(const PassFormats& formats, const Loads& loads, bool resolves) {
+  const std::lock_guard lock(mutex_);
+  for (const Entry& entry : entries_)
+    if (entry.formats == formats && entry.loads == loads && entry.resolves == resolves) return entry.pass;
+  VkAttachmentDescription attachments[3]{};
+  VkAttachmentReference references[3]{};
+  VkSubpassDescription subpass{};
+  uint32_t count = 0;
+  const auto attach = [&](VkFormat format, uint32_t samples, VkAttachmentLoadOp load,
+                          VkAttachmentLoadOp stencilLoad) {
+    VkAttachmentDescription& to = attachments[count];
+    to.format = format;
+    to.samples = static_cast<VkSampleCountFlagBits>(samples);
+    to.loadOp = load;
+    to.storeOp = to.stencilStoreOp = VK_ATTACHMENT_STORE_OP_STORE;
+    to.stencilLoadOp = stencilLoad;
+    to.initialLayout = to.finalLayout = VK_IMAGE_LAYOUT_GENERAL;
+    references[count] = {count, VK_IMAGE_LAYOUT_GENERAL};
+    return &references[count++];
+  };
+  constexpr auto any = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+  if (formats.color) {
+    subpass.pColorAttachments = attach(formats.color, formats.samples, loads.color, any);
+    subpass.colorAttachmentCount = 1;
+  }
+  if (formats.depth)
+    subpass.pDepthStencilAttachment = attach(formats.depth, formats.samples, loads.depth, loads.stencil);
+  if (resolves) subpass.pResolveAttachments = attach(formats.color, 1, any, any);
+  VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
+  info.attachmentCount = count;
+  info.pAttachments = attachments;
+  info.subpassCount = 1;
+  info.pSubpasses = &subpass;
+  VkRenderPass pass = VK_NULL_HANDLE;
+  if (device_.fn().vkCreateRenderPass(device_.handle(), &info, nullptr, &pass) != VK_SUCCESS)
+    return VK_NULL_HANDLE;
+  device_.countObject();
+  entries_.push_back({formats, loads, resolves, pass});
+  return pass;
+}
+
+VkFramebuffer LegacyPasses::framebuffer(VkRenderPass pass, const Attached& attached, VkExtent2D extent) {
+  ImageStore& owner = attached.color ? *attached.color : *attached.depth;
+  const uint64_t others[2] = {attached.depth ? attached.depth->id : 0,
+                              attached.resolve ? attached.resolve->id : 0};
+  for (const auto& held : owner.legacyFramebuffers)
+    if (held.renderPass == pass && held.color == attached.colorView && held.depth == attached.depthView &&
+        held.resolve == attached.resolveView && held.depthStore == others[0] &&
+        held.resolveStore == others[1])
+      return held.framebuffer;
+  VkImageView views[3];
+  VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
+  for (VkImageView view : {attached.colorView, attached.depthView, attached.resolveView})
+    if (view) views[info.attachmentCount++] = view;
+  info.renderPass = pass;
+  info.pAttachments = views;
+  info.width = extent.width;
+  info.height = extent.height;
+  info.layers = 1;
+  VkFramebuffer made = VK_NULL_HANDLE;
+  if (device_.fn().vkCreateFramebuffer(device_.handle(), &info, nullptr, &made) != VK_SUCCESS)
+    return VK_NULL_HANDLE;
+  device_.countObject();
+  owner.legacyFramebuffers.push_back(
+      {pass, attached.colorView, attached.depthView, attached.resolveView, others[0], others[1], made});
+  return made;
+}
+
+bool PassEncoder::require(const Target& target, bool withDepth) {
+  withDepth = withDepth && target.depth;
+  if (active_ && target_.same(target) && (hasDepth() || !withDepth)) return true;
+  // A pass that is opened anew on its own target keeps its depth.
+  const bool keepDepth = active_ && target_.same(target) && hasDepth();
+  end();
+  // Depth that is about to be cleared is surely used.
+  const bool clearsUsed = target.depth && target.depth->hasStore() && target.depth->pending.aspects;
+  return begin(target, withDepth || keepDepth || clearsUsed);
+}
+
+// False: out of memory.
+bool PassEncoder::attach(const Target& target, bool withDepth, Attached& out) const {
+  const auto take = [](VulkanImage* image, int level, int layer, ImageStore*& store, VkImageView& view) {
+    if (!image) return true;
+    store = image->store();
+    if (store) view = store->attachmentView(level, layer);
+    return view != VK_NULL_HANDLE;
+  };
+  return take(target.color, target.colorLevel, target.colorLayer, out.color, out.colorView) &&
+         take(withDepth ? target.depth : nullptr, target.depthLevel, target.depthLayer, out.depth,
+              out.depthView) &&
+         take(target.resolve, target.resolveLevel, target.resolveLayer, out.resolve, out.resolveView);
+}
+
+// The samples and the level that they are resolved into are of one mind.
+void PassEncoder::follow() {
+  commands_.write(target_.resolve->held());
+  target_.color->follows = {attached_.resolve->id, attached_.resolve->version, target_.resolveLevel,
+                            target_.resolveLayer};
+}
+
+void PassEncoder::resolveAfterPass() {
+  commands_.barrier();
+  VkImageResolve region{};
+  region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(target_.colorLevel),
+                           static_cast<uint32_t>(target_.colorLayer), 1};
+  region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(target_.resolveLevel),
+                           static_cast<uint32_t>(target_.resolveLayer), 1};
+  region.extent = {static_cast<uint32_t>(target_.width), static_cast<uint32_t>(target_.height), 1};
+  device_.fn().vkCmdResolveImage(commands_.commands(), attached_.color->image, VK_IMAGE_LAYOUT_GENERAL,
+                                 attached_.resolve->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+  commands_.read(target_.color->held());
+  follow();
+}
+
+// Clears that were put off become load operations.
+void PassEncoder::takeClears(const Target& target, const Attached& attached, Start& start) const {
+  if (attached.color) {
+    PendingClear& pending = target.color->pending;
+    if (pending.aspects && pending.level == target.colorLevel && pending.layer == target.colorLayer) {
+      start.loads.color = VK_ATTACHMENT_LOAD_OP_CLEAR;
+      start.colorValue.color = pending.color;
+      pending.aspects = 0;
+    }
+  }
+  if (!attached.depth) return;
+  PendingClear& pending = target.depth->pending;
+  start.depthValue.depthStencil = pending.depthStencil;
+  if (pending.level != target.depthLevel || pending.layer != target.depthLayer) return;
+  if (pending.aspects & VK_IMAGE_ASPECT_DEPTH_BIT) start.loads.depth = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  if (pending.aspects & VK_IMAGE_ASPECT_STENCIL_BIT) start.loads.stencil = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  pending.aspects = 0;
+}
+
+bool PassEncoder::begin(const Target& target, bool withDepth) {
+  const VkCommandBuffer commands = commands_.commands();
+  Attached attached;
+  if (!commands || !attach(target, withDepth, attached)) return false;
+  const auto busy = [&](const ImageStore* store) { return store && commands_.mustWaitToWrite(*store); };
+  if (busy(attached.color) || busy(attached.depth) || busy(attached.resolve)) commands_.barrier();
+
+  Start start;
+  takeClears(target, attached, start);
+  if (attached.color) {
+    commands_.write(target.color->held());
+    target.color->resolveStale = true;
+  }
+  if (attached.depth) commands_.write(target.depth->held());
+  target_ = target;
+  attached_ = attached;
+  if (attached.resolve) follow();
+  // Mesa's CPU driver resolves into the first layer, whatever the view says.
+  if (target.resolveLayer != 0) attached_.resolveView = VK_NULL_HANDLE;
+  formats_ = {attached.color ? attached.color->format : VK_FORMAT_UNDEFINED,
+              attached.depth ? attached.depth->format : VK_FORMAT_UNDEFINED,
+              static_cast<uint32_t>(target.samples)};
+  if (device_.features().dynamicRendering)
+    beginDynamic(commands, start);
+  else if (!beginLegacy(commands, start))
+    return false;
+  active_ = true;
+  ++passes_;
+  return true;
+}
+
+void PassEncoder::beginDynamic(VkCommandBuffer commands, const Start& start) {
+  const auto attachment = [](VkImageView view, VkAttachmentLoadOp load, const VkClearValue& value) {
+    VkRenderingAttachmentInfoKHR info{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO_KHR};
+    info.imageView = view;
+    info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+    info.loadOp = load;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    info.clearValue = value;
+    return info;
+  };
+  auto color = attachment(attached_.colorView, start.loads.color, start.colorValue);
+  if (attached_.resolveView) {
+    color.resolveMode = VK_RESOLVE_MODE_AVERAGE_BIT;
+    color.resolveImageView = attached_.resolveView;
+    color.resolveImageLayout = VK_IMAGE_LAYOUT_GENERAL;
+  }
+  const auto depth = attachment(attached_.depthView, start.loads.depth, start.depthValue);
+  const auto stencil = attachment(attached_.depthView, start.loads.stencil, start.depthValue);
+  const VkImageAspectFlags aspects = attached_.depth ? attached_.depth->aspects : 0;
+  VkRenderingInfoKHR info{VK_STRUCTURE_TYPE_RENDERING_INFO_KHR};
+  info.renderArea.extent = {static_cast<uint32_t>(target_.width), static_cast<uint32_t>(target_.height)};
+  info.layerCount = 1;
+  info.colorAttachmentCount = attached_.color ? 1 : 0;
+  info.pColorAttachments = &color;
+  if (aspects & VK_IMAGE_ASPECT_DEPTH_BIT) info.pDepthAttachment = &depth;
+  if (aspects & VK_IMAGE_ASPECT_STENCIL_BIT) info.pStencilAttachment = &stencil;
+  device_.fn().vkCmdBeginRenderingKHR(commands, &info);
+}
+
+bool PassEncoder::beginLegacy(VkCommandBuffer commands, const Start& start) {
+  LegacyPasses& passes = device_.legacyPasses();
+  const VkExtent2D extent{static_cast<uint32_t>(target_.width), static_cast<uint32_t>(target_.height)};
+  VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
+  info.renderPass = passes.get(formats_, start.loads, attached_.resolveView != VK_NULL_HANDLE);
+  if (!info.renderPass) return false;
+  info.framebuffer = passes.framebuffer(info.renderPass, attached_, extent);
+  if (!info.framebuffer) return false;
+  info.renderArea.extent = extent;
+  VkClearValue values[2];
+  if (attached_.color) values[info.clearValueCount++] = start.colorValue;
+  if (attached_.depth) values[info.clearValueCount++] = start.depthValue;
+  info.pClearValues = values;
+  device_.fn().vkCmdBeginRenderPass(commands, &info, VK_SUBPASS_CONTENTS_INLINE);
+  return true;
+}
+
+void PassEncoder::end() {
+  if (!active_) return;
+  active_ = false;
+  if (device_.features().dynamicRendering)
+    device_.fn().vkCmdEndRenderingKHR(commands_.commands());
+  else
+    device_.fn().vkCmdEndRenderPass(commands_.commands());
+  if (attached_.resolve && !attached_.resolveView) resolveAfterPass();
+  attached_ = {};
+  target_ = {};
+}
+
+}  // namespace anteroom::vulkan
