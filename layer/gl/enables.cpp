@@ -39,7 +39,7 @@ bool* clipPlane(Context& c) {
   return &c.state.fixed.clipPlanes[index].enabled;
 }
 
-constexpr auto kCapabilities = sortedByName<Capability>({
+constexpr auto kCapabilities = tableOf<Capability>({
     // Table 6.7, OES_matrix_palette
     {GL_NORMALIZE, gen::kGroupLighting, [](Context& c) { return &c.state.fixed.lighting.normalize; }},
     {GL_RESCALE_NORMAL, gen::kGroupLighting,
@@ -118,7 +118,7 @@ Fault unknownCapability(GLenum name) {
 void setCapability(GLenum name, bool enable, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  const Capability* capability = rowOf(kCapabilities, name);
+  const Capability* capability = kCapabilities.find(name);
   if (!capability) return c->setError(GL_INVALID_ENUM, unknownCapability(name), command);
   bool* enabled = capability->enabled(*c);
   if (*enabled == enable) return;
@@ -130,7 +130,7 @@ void setCapability(GLenum name, bool enable, const char* command = __builtin_FUN
 }  // namespace
 
 bool isEnabled(Context& c, GLenum name, bool& enabled) {
-  if (const Capability* capability = rowOf(kCapabilities, name)) {
+  if (const Capability* capability = kCapabilities.find(name)) {
     enabled = *capability->enabled(c);
     return true;
   }

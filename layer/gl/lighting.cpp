@@ -132,7 +132,7 @@ void setLightModel(GLenum pname, const Params& params, const char* command = __b
 using enum Results::Kind;
 
 // Table 6.10
-constexpr auto kLightQueries = sortedByName<Query<gen::Light>>({
+constexpr auto kLightQueries = tableOf<Query<gen::Light>>({
     {GL_AMBIENT, Normalised, [](gen::Light& light) { return light.ambient; }},
     {GL_DIFFUSE, Normalised, [](gen::Light& light) { return light.diffuse; }},
     {GL_SPECULAR, Normalised, [](gen::Light& light) { return light.specular; }},
@@ -160,7 +160,7 @@ glm::vec4 tracked(const Context& c, const glm::vec4& field) {
 }
 
 // Table 6.9
-constexpr auto kMaterialQueries = sortedByName<Query<Context>>({
+constexpr auto kMaterialQueries = tableOf<Query<Context>>({
     {GL_AMBIENT, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.ambient); }},
     {GL_DIFFUSE, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.diffuse); }},
     {GL_SPECULAR, Normalised, [](Context& c) { return c.state.fixed.lighting.material.specular; }},

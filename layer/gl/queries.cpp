@@ -78,7 +78,7 @@ constexpr GLint kContextFlagDebugBit = 0x2, kContextFlagNoErrorBit = 0x8;
 
 using enum Results::Kind;
 
-constexpr auto kQueries = sortedByName<Query<Context>>({
+constexpr auto kQueries = tableOf<Query<Context>>({
     // Table 6.3
     {GL_CURRENT_COLOR, Normalised, [](Context& c) { return c.state.fixed.attributes[gen::kColor].current; }},
     {GL_CURRENT_TEXTURE_COORDS, Number,
@@ -315,7 +315,7 @@ struct PointerQuery {
 };
 
 // Tables 6.4 and 6.5, OES_point_size_array, OES_matrix_palette, KHR_debug.
-constexpr auto kPointers = sortedByName<PointerQuery>({
+constexpr auto kPointers = tableOf<PointerQuery>({
     {GL_VERTEX_ARRAY_POINTER, [](Context& c) { return c.vertexArrays.arrays[gen::kPosition].pointer; }},
     {GL_NORMAL_ARRAY_POINTER, [](Context& c) { return c.vertexArrays.arrays[gen::kNormal].pointer; }},
     {GL_COLOR_ARRAY_POINTER, [](Context& c) { return c.vertexArrays.arrays[gen::kColor].pointer; }},
@@ -354,7 +354,7 @@ GL_API void GL_APIENTRY glGetFloatv(GLenum name, GLfloat* data) {
 GL_API void GL_APIENTRY glGetPointerv(GLenum name, void** params) {
   Context* c = current();
   if (!c || !params) return;
-  const PointerQuery* query = rowOf(kPointers, name);
+  const PointerQuery* query = kPointers.find(name);
   if (!query)
     return c->setError(GL_INVALID_ENUM,
                        wrongEnum("pname", name, "Ask for VERTEX_ARRAY_POINTER or that of another array"));

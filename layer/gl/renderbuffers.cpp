@@ -123,7 +123,7 @@ render::FormatInfo bitsOf(const Renderbuffer& r) {
 using enum Results::Kind;
 
 // OES_framebuffer_object, EXT_multisampled_render_to_texture, IMG_multisampled_render_to_texture.
-constexpr auto kRenderbufferQueries = sortedByName<Query<Renderbuffer>>({
+constexpr auto kRenderbufferQueries = tableOf<Query<Renderbuffer>>({
     {GL_RENDERBUFFER_WIDTH_OES, Integer, [](Renderbuffer& r) { return r.width; }},
     {GL_RENDERBUFFER_HEIGHT_OES, Integer, [](Renderbuffer& r) { return r.height; }},
     {GL_RENDERBUFFER_INTERNAL_FORMAT_OES, Enum, [](Renderbuffer& r) { return r.internalFormat; }},

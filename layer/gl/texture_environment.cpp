@@ -196,7 +196,7 @@ void setEnv(GLenum target, GLenum pname, const Params& params, const char* comma
 using enum Results::Kind;
 
 // Table 6.15 but for its enums (enumOf), and ATIX_texture_env_route.
-constexpr auto kEnvQueries = sortedByName<Query<Context>>({
+constexpr auto kEnvQueries = tableOf<Query<Context>>({
     {GL_TEXTURE_ENV_COLOR, Normalised, [](Context& c) { return activeUnit(c).env.color; }},
     {GL_RGB_SCALE, Number, [](Context& c) { return activeUnit(c).env.rgbScale; }},
     {GL_ALPHA_SCALE, Number, [](Context& c) { return activeUnit(c).env.alphaScale; }},

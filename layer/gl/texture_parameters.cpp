@@ -98,7 +98,7 @@ using enum Results::Kind;
 // Table 6.14, OES_draw_texture, OES_texture_3D, OES_EGL_image_external, EXT_texture_filter_anisotropic,
 // EXT_texture_storage, APPLE_texture_max_level. Booleans are not scaled in fixed point, like the values that
 // set them.
-constexpr auto kTextureQueries = sortedByName<Query<Texture>>({
+constexpr auto kTextureQueries = tableOf<Query<Texture>>({
     {GL_TEXTURE_MIN_FILTER, Enum, [](Texture& t) { return t.sampler.minFilter; }},
     {GL_TEXTURE_MAG_FILTER, Enum, [](Texture& t) { return t.sampler.magFilter; }},
     {GL_TEXTURE_WRAP_S, Enum, [](Texture& t) { return t.sampler.wrapS; }},
