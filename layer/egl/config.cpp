@@ -1,9 +1,9 @@
 #include "layer/egl/config.h"
 
 #include <algorithm>
-#include <climits>
 #include <optional>
 
+#include "layer/egl/config_attributes.h"
 #include "layer/egl/display.h"
 #include "layer/egl/errors.h"
 
@@ -41,116 +41,18 @@ bool chooseDepthStencil(const render::Caps& caps, Config& config) {
   return true;
 }
 
-EGLint surfaceTypes(const Config& config) {
-  return EGL_PBUFFER_BIT | (config.window ? EGL_WINDOW_BIT : 0) | EGL_SWAP_BEHAVIOR_PRESERVED_BIT |
-         (config.samples != 0 ? EGL_MULTISAMPLE_RESOLVE_BOX_BIT : 0);
-}
-
 }  // namespace
 
-bool Config::query(EGLint attribute, EGLint& value) const {
-  const render::FormatInfo& bits = render::info(color);
-  switch (attribute) {
-    case EGL_BUFFER_SIZE:
-      value = bits.red + bits.green + bits.blue + bits.alpha;
-      return true;
-    case EGL_RED_SIZE:
-      value = bits.red;
-      return true;
-    case EGL_GREEN_SIZE:
-      value = bits.green;
-      return true;
-    case EGL_BLUE_SIZE:
-      value = bits.blue;
-      return true;
-    case EGL_ALPHA_SIZE:
-      value = bits.alpha;
-      return true;
-    case EGL_LUMINANCE_SIZE:
-      value = 0;
-      return true;
-    case EGL_ALPHA_MASK_SIZE:
-      value = 0;
-      return true;
-    case EGL_BIND_TO_TEXTURE_RGB:
-      value = samples == 0;
-      return true;
-    case EGL_BIND_TO_TEXTURE_RGBA:
-      value = samples == 0 && bits.alpha != 0;
-      return true;
-    case EGL_COLOR_BUFFER_TYPE:
-      value = EGL_RGB_BUFFER;
-      return true;
-    case EGL_CONFIG_CAVEAT:
-      value = EGL_NONE;
-      return true;
-    case EGL_CONFIG_ID:
-      value = id;
-      return true;
-    case EGL_CONFORMANT:
-      value = EGL_OPENGL_ES_BIT;
-      return true;
-    case EGL_DEPTH_SIZE:
-      value = depthBits;
-      return true;
-    case EGL_LEVEL:
-      value = 0;
-      return true;
-    case EGL_MAX_PBUFFER_WIDTH:
-      value = maxWidth;
-      return true;
-    case EGL_MAX_PBUFFER_HEIGHT:
-      value = maxHeight;
-      return true;
-    case EGL_MAX_PBUFFER_PIXELS:
-      value = static_cast<EGLint>(std::min<int64_t>(int64_t{maxWidth} * maxHeight, INT_MAX));
-      return true;
-    case EGL_MAX_SWAP_INTERVAL:
-      value = 1;
-      return true;
-    case EGL_MIN_SWAP_INTERVAL:
-      value = 0;
-      return true;
-    case EGL_NATIVE_RENDERABLE:
-      value = EGL_FALSE;
-      return true;
-    case EGL_NATIVE_VISUAL_ID:
-      value = visual.id;
-      return true;
-    case EGL_NATIVE_VISUAL_TYPE:
-      value = visual.type;
-      return true;
-    case EGL_RENDERABLE_TYPE:
-      value = EGL_OPENGL_ES_BIT;
-      return true;
-    case EGL_SAMPLE_BUFFERS:
-      value = samples != 0;
-      return true;
-    case EGL_SAMPLES:
-      value = samples;
-      return true;
-    case EGL_STENCIL_SIZE:
-      value = stencilBits;
-      return true;
-    case EGL_SURFACE_TYPE:
-      value = surfaceTypes(*this);
-      return true;
-    case EGL_TRANSPARENT_TYPE:
-      value = EGL_NONE;
-      return true;
-    case EGL_TRANSPARENT_RED_VALUE:
-    case EGL_TRANSPARENT_GREEN_VALUE:
-    case EGL_TRANSPARENT_BLUE_VALUE:
-      value = 0;
-      return true;
-    default:
-      return false;
-  }
+bool Config::query(EGLint name, EGLint& value) const {
+  const ConfigAttribute* attribute = configAttribute(name);
+  if (attribute == nullptr || attribute->value == nullptr) return false;
+  value = attribute->value(*this);
+  return true;
 }
 
-EGLint Config::get(EGLint attribute) const {
+EGLint Config::get(EGLint name) const {
   EGLint value = 0;
-  query(attribute, value);
+  query(name, value);
   return value;
 }
 

@@ -26,9 +26,9 @@ struct Config {
 
   EGLConfig handle() const { return reinterpret_cast<EGLConfig>(static_cast<intptr_t>(id)); }
   // Tables 3.1 and 3.4. False: no such attribute.
-  bool query(EGLint attribute, EGLint& value) const;
+  bool query(EGLint name, EGLint& value) const;
   // The value of an attribute that exists.
-  EGLint get(EGLint attribute) const;
+  EGLint get(EGLint name) const;
 };
 
 // All that a device can have without loss, numbered. `system` null: without windows.
