@@ -11,14 +11,14 @@ namespace {
 
 constexpr std::string_view kNames[] = {
 #define ANTEROOM_COMMAND(name) #name,
-#include "layer/gl/commands.inc"
+#include "registry/commands.inc"
 #undef ANTEROOM_COMMAND
 };
 static_assert(std::ranges::is_sorted(kNames));
 
 const Proc kProcs[] = {
 #define ANTEROOM_COMMAND(name) reinterpret_cast<Proc>(name),
-#include "layer/gl/commands.inc"
+#include "registry/commands.inc"
 #undef ANTEROOM_COMMAND
 };
 

@@ -2,5 +2,5 @@
 #define ANTEROOM_COMMAND(name) \
   void name(void);             \
   void name(void) {}
-#include "layer/gl/commands.inc"
+#include "registry/commands.inc"
 ANTEROOM_COMMAND(glAnteroomEglTable)

@@ -1,19 +1,24 @@
 // Every core command, by name (spec: the 144 of OpenGL ES 1.1, and the required extensions).
-#include <cstring>
-#include <sstream>
-#include <string>
+#include <iterator>
 
 #include "layer/gl/front_end.h"
-#include "tests/gl/core_commands.h"
 #include "tests/gl/fake_renderer.h"
 
 namespace anteroom::gl::test {
 
+namespace {
+
+constexpr const char* kCoreCommands[] = {
+#define ANTEROOM_COMMAND(name) #name,
+#include "registry/core_commands.inc"
+#undef ANTEROOM_COMMAND
+};
+
+}  // namespace
+
 TEST(CommandsTest, EveryCoreCommandResolves) {
-  std::istringstream names(kCoreCommands);
-  int count = 0;
-  for (std::string name; names >> name; ++count) EXPECT_NE(procAddress(name), nullptr) << name;
-  EXPECT_EQ(count, 144);
+  for (const char* name : kCoreCommands) EXPECT_NE(procAddress(name), nullptr) << name;
+  EXPECT_EQ(std::size(kCoreCommands), 144u);
 }
 
 TEST(CommandsTest, RequiredExtensionsResolve) {

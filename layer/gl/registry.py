@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Makes of Khronos' registry what this library needs: registry.py GL_XML EXTENSIONS_INC FOLDER
+
+What is offered is EXTENSIONS_INC's decision: an extension that it lists brings its commands.
+
+  core_commands.inc  ANTEROOM_COMMAND(name): the commands of OpenGL ES 1.1, sorted
+  commands.inc       the same with those of the extensions
+"""
+
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+# Extensions whose names Khronos did not register. They bring no commands.
+UNREGISTERED = {
+    "GL_ATIX_texture_env_combine3",
+    "GL_ATIX_texture_env_route",
+    "GL_EXT_compressed_ETC1_RGB8_sub_texture",
+    "GL_OES_EGL_sync",
+}
+# Commands that the registry gives to ES, too, for textures of one dimension and EXT_direct_state_access.
+NOT_IN_ES = {"glTexStorage1DEXT", "glTextureStorage1DEXT", "glTextureStorage2DEXT", "glTextureStorage3DEXT"}
+
+MADE = "Made by layer/gl/registry.py of Khronos' gl.xml."
+
+
+def names(elements, kind):
+    return [item.get("name") for element in elements for item in element.findall(kind)]
+
+
+def of_es(extension):
+    """What an extension is on ES 1.x: that of ES 2 where the registry says nothing of ES 1.x."""
+    requires = extension.findall("require")
+    own = [require for require in requires if require.get("api") in (None, "gles1")]
+    return own if names(own, "command") or names(own, "enum") else [r for r in requires if r.get("api") == "gles2"]
+
+
+class Registry:
+    def __init__(self, path, extensions):
+        root = ElementTree.parse(path).getroot()
+        registered = {extension.get("name"): extension for extension in root.find("extensions")}
+        unknown = [name for name in extensions if name not in registered and name not in UNREGISTERED]
+        if unknown:
+            sys.exit(f"{path} knows no {', '.join(unknown)}")
+        core = [r for f in root.findall("feature") if f.get("api") == "gles1" for r in f.findall("require")]
+        added = [r for name in extensions if name in registered for r in of_es(registered[name])]
+
+        self.core_commands = sorted(set(names(core, "command")))
+        self.extension_commands = sorted(set(names(added, "command")) - NOT_IN_ES)
+
+
+def command_list(commands):
+    return f"// {MADE}\n" + "".join(f"ANTEROOM_COMMAND({name})\n" for name in commands)
+
+
+def main():
+    gl_xml, extensions_inc, folder = (pathlib.Path(argument) for argument in sys.argv[1:])
+    listed = re.findall(r"^ANTEROOM_EXTENSION\((\w+),", extensions_inc.read_text(), re.MULTILINE)
+    registry = Registry(gl_xml, ["GL_" + name for name in listed])
+    folder.mkdir(parents=True, exist_ok=True)
+    every = sorted(registry.core_commands + registry.extension_commands)
+    (folder / "core_commands.inc").write_text(command_list(registry.core_commands))
+    (folder / "commands.inc").write_text(command_list(every))
+
+
+if __name__ == "__main__":
+    main()
