@@ -16,6 +16,7 @@
 namespace anteroom::vulkan {
 
 class VulkanWindow;
+struct OwnShader;
 struct Shader;
 enum class Counted : bool;
 
@@ -148,7 +149,7 @@ class VulkanContext final : public render::Context {
                 const PendingClear& values);
   bool clearInPass(VkImageAspectFlags aspects, const render::Rect& rect, const PendingClear& values);
   static DrawState plainQuad(const Target& target);
-  bool bindQuad(const Target& target, const DrawState& quad, const char* fragment, bool withDepth,
+  bool bindQuad(const Target& target, const DrawState& quad, const OwnShader& fragment, bool withDepth,
                 Counted counted);
   bool drawQuad(const Target& target, const DrawState& quad, const VkClearColorValue& color, bool withDepth,
                 VkImageView copied = VK_NULL_HANDLE);

@@ -82,7 +82,6 @@ class OneDevice : public testing::Test {
     device_.reset();
     unsetenv("ANTEROOM_DUMP_DIR");
   }
-  const vulkan::Shader* get(const char* glsl) { return device_->shaders().get(gen::Stage::Fragment, glsl); }
   std::string report() {
     const auto reports = reportsIn(folder_.path());
     return reports.size() == 1 ? contentsOf(reports[0]) : "there is not one report";
@@ -93,21 +92,23 @@ class OneDevice : public testing::Test {
 };
 
 TEST_F(OneDevice, GlslangRefusesAShader) {
-  constexpr const char* kBad = "#version 450\n// not a shader\nvoid main() { return 1; }\n";
+  static constexpr vulkan::OwnShader kBad{gen::Stage::Fragment,
+                                          "#version 450\n// not a shader\nvoid main() { return 1; }\n"};
   testing::internal::CaptureStderr();
-  EXPECT_EQ(get(kBad), nullptr);
-  EXPECT_EQ(get(kBad), nullptr);
+  EXPECT_EQ(device_->shaders().get(kBad), nullptr);
+  EXPECT_EQ(device_->shaders().get(kBad), nullptr);
   EXPECT_EQ(countOf(testing::internal::GetCapturedStderr(), "please report"), 1u);
-  expectParts(report(), {"fault: glslang refuses a shader", "key: not a shader", "ERROR: ", kBad});
+  expectParts(report(), {"fault: glslang refuses a shader", "key: not a shader", "ERROR: ", kBad.text});
 }
 
 // A capability that the device was not asked for: the layer objects, the driver does not mind.
 TEST_F(OneDevice, ValidationFindsFault) {
-  const vulkan::Shader* const fragment =
-      get("#version 450\n// asks for too much\nlayout(constant_id = 0) const double kLarge = 1.0LF;\n"
-          "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(kLarge * gl_FragCoord.x); }\n");
-  const vulkan::OwnShader& quad = vulkan::ownShaders().front();
-  const vulkan::Shader* const vertex = device_->shaders().get(quad.stage, quad.text);
+  static constexpr vulkan::OwnShader kLarge{
+      gen::Stage::Fragment,
+      "#version 450\n// asks for too much\nlayout(constant_id = 0) const double kLarge = 1.0LF;\n"
+      "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(kLarge * gl_FragCoord.x); }\n"};
+  const vulkan::Shader* const fragment = device_->shaders().get(kLarge);
+  const vulkan::Shader* const vertex = device_->shaders().get(vulkan::kQuadVertex);
   ASSERT_TRUE(fragment && vertex);
   vulkan::PipelineKey key;
   key.vertexShader = vertex->id;

@@ -10,28 +10,6 @@
 namespace anteroom::vulkan {
 namespace {
 
-constexpr char kQuadVertex[] = R"(#version 450
-// One triangle that covers the target, in one color.
-layout(push_constant) uniform Push { vec4 color; };
-layout(location = 0) flat out vec4 flatColor;
-void main() {
-  flatColor = color;
-  gl_Position = vec4(vec2(gl_VertexIndex & 1, gl_VertexIndex >> 1) * 4.0 - 1.0, 0.0, 1.0);
-}
-)";
-constexpr char kQuadFragment[] = R"(#version 450
-layout(location = 0) flat in vec4 flatColor;
-layout(location = 0) out vec4 color;
-void main() { color = flatColor; }
-)";
-constexpr char kCopyFragment[] = R"(#version 450
-// The texel under the pixel, whatever the color that is handed in.
-layout(location = 0) flat in vec4 flatColor;
-layout(set = 1, binding = 0) uniform sampler2D texels;
-layout(location = 0) out vec4 color;
-void main() { color = texelFetch(texels, ivec2(gl_FragCoord.xy), 0); }
-)";
-
 VkClearColorValue clearColor(const glm::vec4& color, const VulkanImage& image) {
   VkClearColorValue value;
   for (int i = 0; i < 4; ++i) value.float32[i] = color[i] > 0 ? std::min(color[i], 1.0f) : 0.0f;
@@ -44,14 +22,6 @@ constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
 constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 
 }  // namespace
-
-std::span<const OwnShader> ownShaders() {
-  static constexpr OwnShader kAll[] = {{gen::Stage::Vertex, kQuadVertex},
-                                       {gen::Stage::Fragment, kQuadFragment},
-                                       {gen::Stage::Fragment, kCopyFragment},
-                                       {gen::Stage::Fragment, kHudFragment}};
-  return kAll;
-}
 
 bool VulkanContext::clear(render::State& state, GLbitfield mask) {
   flushBatch();
@@ -164,12 +134,12 @@ DrawState VulkanContext::plainQuad(const Target& target) {
 }
 
 // Everything that a quad needs but its constants and textures.
-bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const char* fragmentText,
+bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const OwnShader& fragmentShader,
                              bool withDepth, Counted counted) {
   const auto& fn = device_.fn();
   const Features& features = device_.features();
-  const Shader* const vertex = device_.shaders().get(gen::Stage::Vertex, kQuadVertex, counted);
-  const Shader* const fragment = device_.shaders().get(gen::Stage::Fragment, fragmentText, counted);
+  const Shader* const vertex = device_.shaders().get(kQuadVertex, counted);
+  const Shader* const fragment = device_.shaders().get(fragmentShader, counted);
   if (!vertex || !fragment || !openPass(target, withDepth)) return false;
 
   PipelineKey key;
@@ -195,7 +165,7 @@ bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const 
 // A quad over the target: in one color, or with the texels of `copied`.
 bool VulkanContext::drawQuad(const Target& target, const DrawState& quad, const VkClearColorValue& color,
                              bool withDepth, VkImageView copied) {
-  const char* const fragment = copied ? kCopyFragment : kQuadFragment;
+  const OwnShader& fragment = copied ? kCopyFragment : kFlatFragment;
   if (!bindQuad(target, quad, fragment, withDepth, Counted::Yes)) return false;
   const VkCommandBuffer commands = commands_.commands();
   device_.fn().vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,

@@ -125,18 +125,19 @@ const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
   return shader.module ? &shader : nullptr;
 }
 
-const Shader* ShaderLibrary::get(gen::Stage stage, const char* text, Counted counted) {
-  const Shader& shader = own_.get(text, [&](const char* kept, Shader& made) {
-    const auto kind = stage == gen::Stage::Vertex ? gen::KeyKind::VertexText : gen::KeyKind::FragmentText;
-    create(kind, std::as_bytes(std::span(std::string_view(kept))), made, counted);
+const Shader* ShaderLibrary::get(const OwnShader& own, Counted counted) {
+  const Shader& shader = own_.get(&own, [&](const OwnShader* kept, Shader& made) {
+    const bool vertex = kept->stage == gen::Stage::Vertex;
+    const auto kind = vertex ? gen::KeyKind::VertexText : gen::KeyKind::FragmentText;
+    create(kind, std::as_bytes(std::span(std::string_view(kept->text))), made, counted);
     return true;
   });
   return shader.module ? &shader : nullptr;
 }
 
 const Shader* ShaderLibrary::get(gen::Stage stage, const std::string& words) {
-  for (const OwnShader& own : ownShaders())
-    if (own.stage == stage && words == own.text) return get(stage, own.text);
+  for (const OwnShader* own : ownShaders())
+    if (own->stage == stage && words == own->text) return get(*own);
   gen::VertexKey vertex;
   gen::FragmentKey fragment;
   if (stage == gen::Stage::Vertex) return gen::parse(words, vertex) ? get(vertex) : nullptr;

@@ -5,12 +5,12 @@
 
 #include <atomic>
 #include <memory>
-#include <span>
 #include <string>
 #include <unordered_map>
 
 #include "gen/cache/rows.h"
 #include "layer/vulkan/pipelines/made_once.h"
+#include "layer/vulkan/pipelines/own_shaders.h"
 
 namespace anteroom::vulkan {
 
@@ -23,15 +23,6 @@ struct Shader {
   gen::KeyKind kind = gen::KeyKind::Vertex;
   gen::KeyBytes key;  // lives as long as the shader
 };
-
-// A shader that no key makes; GLSL with static lifetime.
-struct OwnShader {
-  gen::Stage stage;
-  const char* text;
-};
-// All that there are.
-std::span<const OwnShader> ownShaders();
-extern const char kHudFragment[];  // hud.cpp
 
 // Whether statistics tell of what is made, and a later run makes it ahead.
 enum class Counted : bool { No, Yes };
@@ -51,8 +42,7 @@ class ShaderLibrary {
   // Null: the shader cannot be made; the reason was logged.
   const Shader* get(const gen::VertexKey& key);
   const Shader* get(const gen::FragmentKey& key);
-  // One of ownShaders().
-  const Shader* get(gen::Stage stage, const char* text, Counted counted = Counted::Yes);
+  const Shader* get(const OwnShader& own, Counted counted = Counted::Yes);
   // By gen::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
   const Shader* get(gen::Stage stage, const std::string& words);
 
@@ -75,7 +65,7 @@ class ShaderLibrary {
   VulkanDevice& device_;
   Map<gen::VertexKey> vertex_;
   Map<gen::FragmentKey> fragment_;
-  MadeOnce<const char*, Shader, std::hash<const char*>> own_;
+  MadeOnce<const OwnShader*, Shader, std::hash<const OwnShader*>> own_;
   std::atomic<uint32_t> nextId_{1};
   std::atomic<uint64_t> compiled_{0}, fromCache_{0};
 };
