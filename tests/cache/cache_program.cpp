@@ -9,7 +9,7 @@
 
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/pipelines/pipeline_cache.h"
-#include "tests/render/scene.h"
+#include "tests/vulkan/scene.h"
 
 namespace {
 

@@ -19,7 +19,7 @@
 #include "reflect/reflect.h"
 #include "room/context.h"
 #include "skinning/skinning.h"
-#include "tests/process/process.h"
+#include "tests/measure/process.h"
 #include "water/water.h"
 
 namespace {

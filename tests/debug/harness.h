@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/process/process.h"
+#include "tests/measure/process.h"
 
 namespace anteroom::test {
 

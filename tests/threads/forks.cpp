@@ -1,7 +1,7 @@
 // fork() without exec, in processes of their own.
 #include <gtest/gtest.h>
 
-#include "tests/process/process.h"
+#include "tests/measure/process.h"
 
 namespace threads {
 namespace {

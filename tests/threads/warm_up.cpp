@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/process/process.h"
+#include "tests/measure/process.h"
 
 namespace threads {
 namespace {

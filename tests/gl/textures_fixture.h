@@ -8,7 +8,7 @@
 #include <functional>
 #include <random>
 
-#include "fake_renderer.h"
+#include "image_renderer.h"
 #include "layer/gl/context.h"
 #include "layer/gl/front_end.h"
 

@@ -1,6 +1,6 @@
 // Texels: every format goes in and comes out unchanged, through textures, copies and framebuffers.
 #include "layer/vulkan/vulkan_device.h"
-#include "tests/render/scene.h"
+#include "tests/vulkan/scene.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""anteroom-info, and by it how ANTEROOM_DEVICE chooses: info_test.py TOOL [--any-time]"""
+"""anteroom-info, and by it how ANTEROOM_DEVICE chooses: info.py TOOL [--any-time]"""
 
 import json
 import os

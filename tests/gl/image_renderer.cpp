@@ -1,4 +1,4 @@
-#include "fake_renderer.h"
+#include "image_renderer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks that the manual and the completions know what the tool knows: documented.py TOOL FOLDER"""
+"""Checks that the manual and the completions know what the tool knows: cache_documented.py TOOL FOLDER"""
 
 import pathlib
 import re

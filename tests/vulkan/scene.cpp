@@ -1,4 +1,4 @@
-#include "tests/render/scene.h"
+#include "tests/vulkan/scene.h"
 
 #include "layer/vulkan/vulkan_device.h"
 

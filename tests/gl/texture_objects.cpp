@@ -1,6 +1,6 @@
 // Texture and buffer objects: names, bindings, sharing, parameters, images of EGL.
-#include "fixture.h"
 #include "layer/gl/buffer.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,5 +1,5 @@
 // Completeness (section 3.7.9, OES_texture_cube_map), and when texels get into images.
-#include "fixture.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/loader/fake_front_end.h"
+#include "tests/egl/fake_front_end.h"
 
 namespace anteroom {
 namespace {

@@ -2,7 +2,7 @@
 #include <map>
 #include <optional>
 
-#include "fixture.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

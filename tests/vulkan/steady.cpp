@@ -3,7 +3,7 @@
 #include <new>
 
 #include "layer/render/hud.h"
-#include "tests/render/scene.h"
+#include "tests/vulkan/scene.h"
 
 namespace {
 thread_local uint64_t allocations = 0;

@@ -3,8 +3,8 @@
 // but GL's errors.
 #include <chrono>
 
-#include "fixture.h"
 #include "layer/gl/compressed.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "layer/vulkan/vulkan_device.h"
-#include "tests/render/scene.h"
+#include "tests/vulkan/scene.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,5 +1,5 @@
 // Every error of sections 2.9, 3.6, 3.7 and 4.3; a command that fails changes nothing.
-#include "fixture.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,6 +1,6 @@
 // Every format and type, with every alignment, against equations 3.10 and 3.11.
-#include "fixture.h"
 #include "layer/gl/pixel.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

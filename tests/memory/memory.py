@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What we add to a process that draws with Vulkan: memory_test.py BARE OURS [window]
+"""What we add to a process that draws with Vulkan: memory.py BARE OURS [window]
 
 BARE and OURS print what is resident, in KiB. The same is counted with an empty shader cache, when everything is compiled,
 and with a full one. The images of a pbuffer count as ours.

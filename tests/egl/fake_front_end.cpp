@@ -1,4 +1,4 @@
-#include "tests/loader/fake_front_end.h"
+#include "tests/egl/fake_front_end.h"
 
 #include "layer/egl/renderer.h"
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the page of `anteroom-cache report` in a browser: report_test.py TOOL PROGRAM CHROMIUM [KEEP_FOLDER]"""
+"""Checks the page of `anteroom-cache report` in a browser: cache_report.py TOOL PROGRAM CHROMIUM [KEEP_FOLDER]"""
 
 import json
 import os

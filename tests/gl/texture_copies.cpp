@@ -1,5 +1,5 @@
 // CopyTexImage2D, CopyTexSubImage2D and ReadPixels (sections 3.7.2, 4.3).
-#include "fixture.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,5 +1,5 @@
 // The ten paletted formats, decoded here a second time (section 3.7.4).
-#include "fixture.h"
+#include "textures_fixture.h"
 
 namespace anteroom::test {
 namespace {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Installs into a folder, moves it and uses it; makes the Debian packages and installs them below another folder.
 
-install_test.py BUILD_FOLDER SOURCE_FOLDER LIBDIR CMAKE
+install.py BUILD_FOLDER SOURCE_FOLDER LIBDIR CMAKE
 
 Nothing outside a temporary folder is written.
 """
