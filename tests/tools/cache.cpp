@@ -80,13 +80,13 @@ TEST_F(Tool, ShowsAndExplainsPipelines) {
   const Output compared = tool({"diff", first, second});
   EXPECT_EQ(compared.status, 1);
   EXPECT_EQ(json::parse(compared.out)["state"].size(), 1u) << compared.out;
-  const json why = json::parse(tool({"explain", "--program", "cache_tests"}).out)["pipeline"];
+  const json why = json::parse(tool({"explain", "--program", "tools_tests"}).out)["pipeline"];
   EXPECT_EQ(why["pipelines"], 2);
   EXPECT_EQ(why["splits"][0]["state"], "fog");
   EXPECT_EQ(why["splits"][0]["pipelines_without"], 1);
   const Output none = tool({"explain", "--program", "nobody"});
   EXPECT_EQ(none.status, 1);
-  EXPECT_NE(none.err.find("cache_tests"), std::string::npos) << none.err;
+  EXPECT_NE(none.err.find("tools_tests"), std::string::npos) << none.err;
 }
 
 TEST_F(Tool, WarmsWhatAnotherGeneratorLeft) {

@@ -4,11 +4,11 @@
 import json
 import os
 import pathlib
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
 TOOL = sys.argv[1]
@@ -85,12 +85,17 @@ class Info(unittest.TestCase):
 
     @unittest.skipIf(ANY_TIME, "a sanitizer takes its time")
     def test_quick(self):
-        """Under 150 ms, by the best of ten: others may be using the machine."""
+        """Under 150 ms of processor time, by the best of ten: others may be using the machine."""
+
+        def spent():
+            usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+            return usage.ru_utime + usage.ru_stime
+
         best = 1
         for _ in range(10):
-            start = time.perf_counter()
+            start = spent()
             info()
-            best = min(best, time.perf_counter() - start)
+            best = min(best, spent() - start)
         print(f"anteroom-info: {best * 1000:.0f} ms")
         self.assertLess(best, 0.150)
 
