@@ -5,7 +5,7 @@
 
 #include "layer/render/renderer.h"
 #include "layer/vulkan/device/device.h"
-#include "layer/vulkan/geometry/index_fetch.h"
+#include "layer/vulkan/geometry/primitive_lists.h"
 #include "layer/vulkan/geometry/vertex_fetch.h"
 #include "layer/vulkan/pipelines/draw_state.h"
 #include "layer/vulkan/pipelines/pipeline_key.h"

@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "layer/vulkan/device/device.h"
-#include "layer/vulkan/geometry/index_fetch.h"
+#include "layer/vulkan/geometry/primitive_lists.h"
 #include "layer/vulkan/recording/command_stream.h"
 
 namespace anteroom::vulkan {

@@ -254,32 +254,6 @@ VkPrimitiveTopology topologyOf(GLenum mode) {
   }
 }
 
-render::Rect clipped(const render::Rect& rect, const Target& target) {
-  const auto overlap = [](int start, int length, int limit, int& outStart, int& outLength) {
-    const int64_t first = std::clamp<int64_t>(start, 0, limit);
-    const int64_t last = std::clamp<int64_t>(int64_t{start} + length, 0, limit);
-    outStart = static_cast<int>(first);
-    outLength = static_cast<int>(std::max<int64_t>(0, last - first));
-  };
-  render::Rect out;
-  overlap(rect.x, rect.width, target.width, out.x, out.width);
-  overlap(rect.y, rect.height, target.height, out.y, out.height);
-  return out;
-}
-
-VkRect2D flipped(const render::Rect& rect, const Target& target) {
-  const int y = target.yDown ? target.height - rect.y - rect.height : rect.y;
-  return {{rect.x, y}, {static_cast<uint32_t>(rect.width), static_cast<uint32_t>(rect.height)}};
-}
-
-uint8_t writeMask(const std::array<bool, 4>& mask, const Target& target) {
-  if (!target.color) return 0;
-  const bool alpha = render::info(target.color->desc().format).alpha != 0;
-  return static_cast<uint8_t>(
-      (mask[0] ? VK_COLOR_COMPONENT_R_BIT : 0) | (mask[1] ? VK_COLOR_COMPONENT_G_BIT : 0) |
-      (mask[2] ? VK_COLOR_COMPONENT_B_BIT : 0) | (mask[3] && alpha ? VK_COLOR_COMPONENT_A_BIT : 0));
-}
-
 DrawStateResult translate(const render::State& state, const Target& target, const Features& features,
                           const VkPhysicalDeviceLimits& limits, DrawState& out) {
   DrawStateResult result;

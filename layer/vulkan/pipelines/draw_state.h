@@ -6,7 +6,7 @@
 
 #include "layer/render/state.h"
 #include "layer/vulkan/device/features.h"
-#include "layer/vulkan/recording/pass.h"
+#include "layer/vulkan/resources/target.h"
 
 namespace anteroom::vulkan {
 
@@ -47,12 +47,6 @@ DrawStateResult translate(const render::State& state, const Target& target, cons
 BakedState baked(const BakedState& state, const Features& features);
 
 VkPrimitiveTopology topologyOf(GLenum mode);
-VkRect2D flipped(const render::Rect& rect, const Target& target);
-// The part of `rect` that lies inside the target.
-render::Rect clipped(const render::Rect& rect, const Target& target);
-// Components of a color mask that the target has.
-uint8_t writeMask(const std::array<bool, 4>& mask, const Target& target);
-
 // Sends what differs from what was sent before, or all of it.
 void emit(const VolkDeviceTable& fn, VkCommandBuffer commands, const Features& features, uint32_t samples,
           const DrawState& wanted, DrawState& sent, bool all);

@@ -11,6 +11,7 @@
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/no_fork.h"
 #include "layer/vulkan/pipelines/driver_cache.h"
+#include "layer/vulkan/pipelines/legacy_passes.h"
 #include "layer/vulkan/pipelines/pipeline_words.h"
 #include "layer/vulkan/pipelines/shader_library.h"
 

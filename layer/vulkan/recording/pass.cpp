@@ -5,104 +5,6 @@
 
 namespace anteroom::vulkan {
 
-Target targetOf(const render::Framebuffer& framebuffer) {
-  Target target;
-  const render::Attachment& color = framebuffer.color;
-  const bool hasDepth = framebuffer.depth.image != nullptr;
-  const render::Attachment& depth = hasDepth ? framebuffer.depth : framebuffer.stencil;
-  target.colorImage = color.image;
-  target.depthImage = depth.image;
-  target.color = static_cast<VulkanImage*>(color.image.get());
-  target.depth = static_cast<VulkanImage*>(depth.image.get());
-  target.resolveImage = framebuffer.resolve.image;
-  target.resolve = static_cast<VulkanImage*>(framebuffer.resolve.image.get());
-  target.resolveLevel = framebuffer.resolve.level;
-  target.resolveLayer = framebuffer.resolve.layer;
-  target.colorLevel = color.level;
-  target.colorLayer = color.layer;
-  target.depthLevel = depth.level;
-  target.depthLayer = depth.layer;
-  target.hasDepth = hasDepth;
-  target.hasStencil = framebuffer.stencil.image != nullptr && framebuffer.stencil.image == depth.image;
-  target.width = framebuffer.width;
-  target.height = framebuffer.height;
-  target.samples = framebuffer.samples;
-  target.yDown = framebuffer.yDown;
-  return target;
-}
-
-LegacyPasses::~LegacyPasses() {
-  for (const Entry& entry : entries_) device_.fn().vkDestroyRenderPass(device_.handle(), entry.pass, nullptr);
-}
-
-VkRenderPass LegacyPasses::get(const PassFormats& formats, const Loads& loads, bool resolves) {
-  const std::lock_guard lock(mutex_);
-  for (const Entry& entry : entries_)
-    if (entry.formats == formats && entry.loads == loads && entry.resolves == resolves) return entry.pass;
-  VkAttachmentDescription attachments[3]{};
-  VkAttachmentReference references[3]{};
-  VkSubpassDescription subpass{};
-  uint32_t count = 0;
-  const auto attach = [&](VkFormat format, uint32_t samples, VkAttachmentLoadOp load,
-                          VkAttachmentLoadOp stencilLoad) {
-    VkAttachmentDescription& to = attachments[count];
-    to.format = format;
-    to.samples = static_cast<VkSampleCountFlagBits>(samples);
-    to.loadOp = load;
-    to.storeOp = to.stencilStoreOp = VK_ATTACHMENT_STORE_OP_STORE;
-    to.stencilLoadOp = stencilLoad;
-    to.initialLayout = to.finalLayout = VK_IMAGE_LAYOUT_GENERAL;
-    references[count] = {count, VK_IMAGE_LAYOUT_GENERAL};
-    return &references[count++];
-  };
-  constexpr auto any = VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-  if (formats.color) {
-    subpass.pColorAttachments = attach(formats.color, formats.samples, loads.color, any);
-    subpass.colorAttachmentCount = 1;
-  }
-  if (formats.depth)
-    subpass.pDepthStencilAttachment = attach(formats.depth, formats.samples, loads.depth, loads.stencil);
-  if (resolves) subpass.pResolveAttachments = attach(formats.color, 1, any, any);
-  VkRenderPassCreateInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_CREATE_INFO};
-  info.attachmentCount = count;
-  info.pAttachments = attachments;
-  info.subpassCount = 1;
-  info.pSubpasses = &subpass;
-  VkRenderPass pass = VK_NULL_HANDLE;
-  if (device_.fn().vkCreateRenderPass(device_.handle(), &info, nullptr, &pass) != VK_SUCCESS)
-    return VK_NULL_HANDLE;
-  device_.countObject();
-  entries_.push_back({formats, loads, resolves, pass});
-  return pass;
-}
-
-VkFramebuffer LegacyPasses::framebuffer(VkRenderPass pass, const Attached& attached, VkExtent2D extent) {
-  ImageStore& owner = attached.color ? *attached.color : *attached.depth;
-  const uint64_t others[2] = {attached.depth ? attached.depth->id : 0,
-                              attached.resolve ? attached.resolve->id : 0};
-  for (const auto& held : owner.legacyFramebuffers)
-    if (held.renderPass == pass && held.color == attached.colorView && held.depth == attached.depthView &&
-        held.resolve == attached.resolveView && held.depthStore == others[0] &&
-        held.resolveStore == others[1])
-      return held.framebuffer;
-  VkImageView views[3];
-  VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
-  for (VkImageView view : {attached.colorView, attached.depthView, attached.resolveView})
-    if (view) views[info.attachmentCount++] = view;
-  info.renderPass = pass;
-  info.pAttachments = views;
-  info.width = extent.width;
-  info.height = extent.height;
-  info.layers = 1;
-  VkFramebuffer made = VK_NULL_HANDLE;
-  if (device_.fn().vkCreateFramebuffer(device_.handle(), &info, nullptr, &made) != VK_SUCCESS)
-    return VK_NULL_HANDLE;
-  device_.countObject();
-  owner.legacyFramebuffers.push_back(
-      {pass, attached.colorView, attached.depthView, attached.resolveView, others[0], others[1], made});
-  return made;
-}
-
 bool PassEncoder::require(const Target& target, bool withDepth) {
   withDepth = withDepth && target.depth;
   if (active_ && target_.same(target) && (hasDepth() || !withDepth)) return true;
@@ -228,13 +130,41 @@ void PassEncoder::beginDynamic(VkCommandBuffer commands, const Start& start) {
   device_.fn().vkCmdBeginRenderingKHR(commands, &info);
 }
 
+// Kept by the color image, or by that of depth where there is no color.
+VkFramebuffer PassEncoder::legacyFramebuffer(VkRenderPass pass, VkExtent2D extent) {
+  ImageStore& owner = attached_.color ? *attached_.color : *attached_.depth;
+  const uint64_t others[2] = {attached_.depth ? attached_.depth->id : 0,
+                              attached_.resolve ? attached_.resolve->id : 0};
+  for (const auto& held : owner.legacyFramebuffers)
+    if (held.renderPass == pass && held.color == attached_.colorView && held.depth == attached_.depthView &&
+        held.resolve == attached_.resolveView && held.depthStore == others[0] &&
+        held.resolveStore == others[1])
+      return held.framebuffer;
+  VkImageView views[3];
+  VkFramebufferCreateInfo info{VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO};
+  for (VkImageView view : {attached_.colorView, attached_.depthView, attached_.resolveView})
+    if (view) views[info.attachmentCount++] = view;
+  info.renderPass = pass;
+  info.pAttachments = views;
+  info.width = extent.width;
+  info.height = extent.height;
+  info.layers = 1;
+  VkFramebuffer made = VK_NULL_HANDLE;
+  if (device_.fn().vkCreateFramebuffer(device_.handle(), &info, nullptr, &made) != VK_SUCCESS)
+    return VK_NULL_HANDLE;
+  device_.countObject();
+  owner.legacyFramebuffers.push_back(
+      {pass, attached_.colorView, attached_.depthView, attached_.resolveView, others[0], others[1], made});
+  return made;
+}
+
 bool PassEncoder::beginLegacy(VkCommandBuffer commands, const Start& start) {
-  LegacyPasses& passes = device_.legacyPasses();
   const VkExtent2D extent{static_cast<uint32_t>(target_.width), static_cast<uint32_t>(target_.height)};
   VkRenderPassBeginInfo info{VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO};
-  info.renderPass = passes.get(formats_, start.loads, attached_.resolveView != VK_NULL_HANDLE);
+  info.renderPass =
+      device_.legacyPasses().get(formats_, start.loads, attached_.resolveView != VK_NULL_HANDLE);
   if (!info.renderPass) return false;
-  info.framebuffer = passes.framebuffer(info.renderPass, attached_, extent);
+  info.framebuffer = legacyFramebuffer(info.renderPass, extent);
   if (!info.framebuffer) return false;
   info.renderArea.extent = extent;
   VkClearValue values[2];

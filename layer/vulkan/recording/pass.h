@@ -3,48 +3,14 @@
 
 #include <volk.h>
 
-#include <mutex>
-#include <vector>
-
-#include "layer/render/renderer.h"
+#include "layer/vulkan/pipelines/legacy_passes.h"
 #include "layer/vulkan/resources/image.h"
+#include "layer/vulkan/resources/target.h"
 
 namespace anteroom::vulkan {
 
 class CommandStream;
 class VulkanDevice;
-
-// A framebuffer as the device takes it. Depth and stencil are one image.
-struct Target {
-  // Held: a pass may outlive the framebuffer object.
-  std::shared_ptr<render::Image> colorImage, depthImage, resolveImage;
-  VulkanImage* color = nullptr;
-  VulkanImage* depth = nullptr;
-  VulkanImage* resolve = nullptr;  // gets the mean of color's samples at the end of a pass
-  int colorLevel = 0, colorLayer = 0;
-  int depthLevel = 0, depthLayer = 0;
-  int resolveLevel = 0, resolveLayer = 0;
-  bool hasDepth = false, hasStencil = false;  // what the framebuffer has of the image
-  int width = 0, height = 0, samples = 1;
-  bool yDown = false;
-  bool same(const Target& other) const {
-    return color == other.color && depth == other.depth && resolve == other.resolve &&
-           colorLevel == other.colorLevel && colorLayer == other.colorLayer &&
-           depthLevel == other.depthLevel && depthLayer == other.depthLayer &&
-           resolveLevel == other.resolveLevel && resolveLayer == other.resolveLayer &&
-           hasDepth == other.hasDepth && hasStencil == other.hasStencil && width == other.width &&
-           height == other.height && samples == other.samples && yDown == other.yDown;
-  }
-};
-Target targetOf(const render::Framebuffer& framebuffer);
-
-// What a pipeline must know of the pass that it is used in.
-struct PassFormats {
-  VkFormat color = VK_FORMAT_UNDEFINED;
-  VkFormat depth = VK_FORMAT_UNDEFINED;
-  uint32_t samples = 1;
-  bool operator==(const PassFormats&) const = default;
-};
 
 // The images of a pass, null where there is none.
 struct Attached {
@@ -53,35 +19,6 @@ struct Attached {
   ImageStore* resolve = nullptr;
   // resolveView null: `resolve` is written after the pass.
   VkImageView colorView = VK_NULL_HANDLE, depthView = VK_NULL_HANDLE, resolveView = VK_NULL_HANDLE;
-};
-
-// VkRenderPass objects for devices without dynamic rendering. Thread-safe.
-class LegacyPasses {
- public:
-  struct Loads {
-    VkAttachmentLoadOp color = VK_ATTACHMENT_LOAD_OP_LOAD;
-    VkAttachmentLoadOp depth = VK_ATTACHMENT_LOAD_OP_LOAD;
-    VkAttachmentLoadOp stencil = VK_ATTACHMENT_LOAD_OP_LOAD;
-    bool operator==(const Loads&) const = default;
-  };
-
-  explicit LegacyPasses(VulkanDevice& device) : device_(device) {}
-  ~LegacyPasses();
-  // Null: out of memory. Passes that differ only in what they load and in whether they resolve are
-  // compatible.
-  VkRenderPass get(const PassFormats& formats, const Loads& loads, bool resolves);
-  VkFramebuffer framebuffer(VkRenderPass pass, const Attached& attached, VkExtent2D extent);
-
- private:
-  struct Entry {
-    PassFormats formats;
-    Loads loads;
-    bool resolves;
-    VkRenderPass pass;
-  };
-  VulkanDevice& device_;
-  std::mutex mutex_;
-  std::vector<Entry> entries_;
 };
 
 class PassEncoder {
@@ -113,6 +50,7 @@ class PassEncoder {
   void takeClears(const Target& target, const Attached& attached, Start& start) const;
   void beginDynamic(VkCommandBuffer commands, const Start& start);
   bool beginLegacy(VkCommandBuffer commands, const Start& start);
+  VkFramebuffer legacyFramebuffer(VkRenderPass pass, VkExtent2D extent);
 
   VulkanDevice& device_;
   CommandStream& commands_;

@@ -3,7 +3,6 @@
 #include <cstring>
 
 #include "layer/vulkan/device/device.h"
-#include "layer/vulkan/geometry/index_fetch.h"
 
 namespace anteroom::vulkan {
 namespace {

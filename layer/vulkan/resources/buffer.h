@@ -6,6 +6,7 @@
 
 #include "layer/render/renderer.h"
 #include "layer/vulkan/device/memory.h"
+#include "layer/vulkan/resources/indices.h"
 
 namespace anteroom::vulkan {
 
@@ -21,10 +22,6 @@ struct BufferStore {
   VulkanDevice& device;
   Allocation memory;
   uint64_t recording = 0;
-};
-
-struct IndexRange {
-  uint32_t least, most;
 };
 
 class VulkanBuffer final : public render::Buffer {

@@ -1,4 +1,4 @@
-// Indices: their range, and the lists that stand for primitives that the device has not.
+// Indices: the lists that stand for primitives that the device has not.
 #pragma once
 
 #include <GLES/gl.h>
@@ -6,19 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "layer/vulkan/resources/buffer.h"
-
 namespace anteroom::vulkan {
-
-// Bytes of an index of `type`.
-constexpr uint32_t indexSize(GLenum type) {
-  return type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : 4;
-}
-
-IndexRange scanIndices(GLenum type, const std::byte* indices, uint32_t count);
-
-// Index `i` of an array of any alignment.
-uint32_t readIndex(GLenum type, const std::byte* indices, uint32_t i);
 
 // How a primitive of GL is drawn: as it is, or as a list of separate primitives whose indices are made here.
 enum class Expansion : uint8_t {
