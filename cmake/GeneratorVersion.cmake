@@ -1,5 +1,5 @@
 # cmake -DOUT=file.cpp -P GeneratorVersion.cmake -- a.cpp b.glsl ...
-# Writes a hash over the names and contents of the files as the function behind gen/cache/generator_version.h.
+# Writes a hash over the names and contents of the files as the function behind layer/cache/generator_version.h.
 set(lines)
 set(after FALSE)
 foreach(i RANGE ${CMAKE_ARGC})
@@ -15,6 +15,6 @@ endforeach()
 list(SORT lines)
 string(SHA256 hash "${lines}")
 string(SUBSTRING ${hash} 0 16 hash)
-file(WRITE "${OUT}" "// Made by GeneratorVersion.cmake.\n#include \"gen/cache/generator_version.h\"\n\n"
+file(WRITE "${OUT}" "// Made by GeneratorVersion.cmake.\n#include \"layer/cache/generator_version.h\"\n\n"
   "namespace anteroom::gen {\n\nstd::string_view generatorVersion() { return \"${hash}\"; }\n\n"
   "}  // namespace anteroom::gen\n")

@@ -2,7 +2,7 @@
 // after.
 #include <algorithm>
 
-#include "gen/cache/database.h"
+#include "layer/cache/database.h"
 #include "tests/cache/rows.h"
 
 namespace anteroom::test {

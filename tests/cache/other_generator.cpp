@@ -1,5 +1,5 @@
 // A program that holds this has another generator version.
-#include "gen/cache/generator_version.h"
+#include "layer/cache/generator_version.h"
 
 namespace anteroom::gen {
 

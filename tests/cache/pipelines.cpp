@@ -1,7 +1,7 @@
 // Which pipelines a program is said to need, and the driver's file.
 #include <algorithm>
 
-#include "gen/cache/driver_blob.h"
+#include "layer/cache/driver_blob.h"
 #include "tests/cache/rows.h"
 
 namespace anteroom::test {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "gen/cache/driver_blob.h"
+#include "layer/cache/driver_blob.h"
 #include "tests/cache/rows.h"
 
 namespace anteroom::test {

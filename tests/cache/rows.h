@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/shader_cache.h"
 
 namespace anteroom::test {
 

@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/shader_cache.h"
 #include "lighting/lighting.h"
 #include "particles/particles.h"
 #include "postprocessing/postprocessing.h"

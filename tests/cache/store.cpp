@@ -3,7 +3,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "gen/cache/generator_version.h"
+#include "layer/cache/generator_version.h"
 #include "tests/cache/rows.h"
 
 namespace anteroom::test {

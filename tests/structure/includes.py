@@ -25,16 +25,22 @@ TESTING = r"gtest/|gmock/|benchmark/"
 # The longest folder that holds a file rules it.
 RULES = {
     "gen": (["gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
-    # The tool makes pipelines, and so sees the renderer; nothing of gen sees the tool.
-    "gen/inspect": (["gen", "layer/vulkan/vulkan_device.h"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
+    "layer/cache": (["layer/cache", "gen"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
     "layer/render": (["layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
     "layer/gl": (["layer/gl", "layer/render", "gen"], [VULKAN, r"EGL/", r"glslang/", WINDOWS, PICTURES, TESTING]),
     "layer/egl": (
         ["layer/egl", "layer/gl", "layer/render", "gen", "layer/vulkan/vulkan_device.h"],
         [VULKAN, r"glslang/", r"GLFW/", PICTURES, TESTING],
     ),
-    "layer/vulkan": (["layer/vulkan", "layer/render", "gen"], [r"EGL/", r"GLFW/", PICTURES, TESTING]),
+    "layer/vulkan": (["layer/vulkan", "layer/cache", "layer/render", "gen"], [r"EGL/", r"GLFW/", PICTURES, TESTING]),
     "layer/loader": (["layer", "gen"], [VULKAN, r"GLFW/", PICTURES, TESTING]),
+    # This program makes pipelines.
+    "layer/tools/cache": (
+        ["layer/tools/cache", "layer/cache", "layer/vulkan/vulkan_device.h", "gen"],
+        [VULKAN, GL_API, WINDOWS, PICTURES, TESTING],
+    ),
+    # It asks whatever libraries there are, and so knows none of ours.
+    "layer/tools/info": (["layer/tools/info", "layer/egl/eglanteroom.h"], [VULKAN, WINDOWS, PICTURES, TESTING]),
     "demos": (["demos"], [VULKAN, TESTING]),
     "tests/conformance": (["tests/conformance"], [VULKAN]),
     "tests/windows": (["tests/windows", "tests/egl/egl_fixture.h"], [VULKAN]),

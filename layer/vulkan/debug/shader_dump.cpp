@@ -14,8 +14,8 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#include "gen/cache/generator_version.h"
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/generator_version.h"
+#include "layer/cache/shader_cache.h"
 #include "layer/vulkan/device/device.h"
 
 namespace anteroom::vulkan {

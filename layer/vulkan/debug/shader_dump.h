@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "gen/cache/rows.h"
+#include "layer/cache/rows.h"
 
 namespace anteroom::vulkan {
 

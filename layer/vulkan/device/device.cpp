@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "gen/cache/location.h"
+#include "layer/cache/location.h"
 #include "layer/vulkan/context.h"
 #include "layer/vulkan/debug/frame_capture.h"
 #include "layer/vulkan/device/no_fork.h"

@@ -9,7 +9,7 @@
 #include <shared_mutex>
 #include <utility>
 
-#include "gen/cache/quiet_thread.h"
+#include "layer/cache/quiet_thread.h"
 
 namespace anteroom::vulkan {
 namespace {

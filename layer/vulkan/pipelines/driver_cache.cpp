@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "gen/cache/driver_blob.h"
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/driver_blob.h"
+#include "layer/cache/shader_cache.h"
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/pipelines/pipeline_cache.h"
 

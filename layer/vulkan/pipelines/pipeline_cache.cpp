@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/shader_cache.h"
 #include "layer/vulkan/debug/shader_dump.h"
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/no_fork.h"

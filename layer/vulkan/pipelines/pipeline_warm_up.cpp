@@ -7,9 +7,9 @@
 #include <exception>
 #include <vector>
 
-#include "gen/cache/quiet_thread.h"
-#include "gen/cache/shader_cache.h"
 #include "gen/interface.h"
+#include "layer/cache/quiet_thread.h"
+#include "layer/cache/shader_cache.h"
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/pipelines/driver_cache.h"
 #include "layer/vulkan/pipelines/pipeline_cache.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <thread>
 
-#include "gen/cache/quiet_thread.h"
-#include "gen/cache/shader_cache.h"
+#include "layer/cache/quiet_thread.h"
+#include "layer/cache/shader_cache.h"
 #include "layer/vulkan/debug/shader_dump.h"
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/no_fork.h"

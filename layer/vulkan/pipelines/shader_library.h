@@ -8,7 +8,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "gen/cache/rows.h"
+#include "layer/cache/rows.h"
 #include "layer/vulkan/pipelines/made_once.h"
 #include "layer/vulkan/pipelines/own_shaders.h"
 

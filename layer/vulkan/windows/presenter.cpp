@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "gen/cache/quiet_thread.h"
+#include "layer/cache/quiet_thread.h"
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/timeline.h"
 #include "layer/vulkan/windows/swapchain.h"

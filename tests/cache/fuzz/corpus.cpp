@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "gen/cache/driver_blob.h"
-#include "gen/cache/store.h"
+#include "layer/cache/driver_blob.h"
+#include "layer/cache/store.h"
 #include "tests/cache/fuzz/target.h"
 
 namespace {

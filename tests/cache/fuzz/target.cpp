@@ -8,9 +8,9 @@
 #include <fstream>
 #include <string>
 
-#include "gen/cache/driver_blob.h"
-#include "gen/cache/spirv_check.h"
-#include "gen/cache/store.h"
+#include "layer/cache/driver_blob.h"
+#include "layer/cache/spirv_check.h"
+#include "layer/cache/store.h"
 #include "layer/vulkan/pipelines/driver_cache.h"
 #include "layer/vulkan/pipelines/pipeline_words.h"
 #include "tests/cache/fuzz/target.h"

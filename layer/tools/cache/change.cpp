@@ -1,0 +1,44 @@
+#include "layer/tools/cache/change.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+namespace anteroom::inspect {
+
+std::optional<gen::ShaderRow> compiled(gen::KeyKind kind, gen::KeyBytes key) {
+  const auto start = std::chrono::steady_clock::now();
+  std::string glsl = gen::emit(kind, key);
+  gen::CompileResult result = gen::compile(gen::stageOf(kind), glsl);
+  const auto time = std::chrono::steady_clock::now() - start;
+  if (result.spirv.empty()) return {};
+  return gen::makeRow(kind, key, std::move(glsl), std::move(result.spirv),
+                      std::chrono::duration_cast<std::chrono::microseconds>(time).count());
+}
+
+Status finish(gen::Store& store, const Settings& settings, bool good) {
+  if (good && store.commit()) return kDone;
+  fmt::print(stderr, "anteroom-cache: {} cannot be written: {}\n", settings.file, store.message());
+  store.rollback();
+  return kUnusable;
+}
+
+Status begin(const Settings& settings, gen::Store::Mode mode, gen::Store& store) {
+  std::error_code ignored;
+  if (mode == gen::Store::Mode::Create)
+    std::filesystem::create_directories(std::filesystem::absolute(settings.file, ignored).parent_path(),
+                                        ignored);
+  if (const Status status = open(settings.file, mode, store)) return status;
+  return store.begin() ? kDone : finish(store, settings, false);
+}
+
+Status write(const std::string& to, const std::string& text) {
+  std::ofstream file(to, std::ios::binary);
+  if (file << text << std::flush) return kDone;
+  fmt::print(stderr, "anteroom-cache: {} cannot be written\n", to);
+  return kUnusable;
+}
+
+}  // namespace anteroom::inspect
