@@ -15,9 +15,9 @@ struct Binding;  // opaque here
 
 namespace anteroom::gl {
 
-class Context;       // layer/gl/context.h
+class Context;       // layer/gl/context/context.h
 class ShareGroup;    // texture and buffer objects that contexts share
-struct SharedImage;  // what an EGLImage shows: layer/gl/shared_image.h
+struct SharedImage;  // what an EGLImage shows: layer/gl/textures/shared_image.h
 
 // What an EGLImage of a display shows. Null: no such image. Called without any lock of GL's.
 using FindImage = std::shared_ptr<SharedImage> (*)(void* display, void* image);

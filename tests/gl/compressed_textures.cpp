@@ -1,6 +1,6 @@
 // The decoders of compressed formats with random bytes and sizes, between pages that cannot be touched: a
 // read or write beyond either end of an image ends the test.
-#include "layer/gl/compressed.h"
+#include "layer/gl/textures/compressed.h"
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "layer/gl/context.h"
+#include "layer/gl/context/context.h"
 #include "layer/gl/front_end.h"
 #include "layer/render/renderer.h"
 

@@ -3,7 +3,7 @@
 // but GL's errors.
 #include <chrono>
 
-#include "layer/gl/compressed.h"
+#include "layer/gl/textures/compressed.h"
 #include "textures_fixture.h"
 
 namespace anteroom::test {

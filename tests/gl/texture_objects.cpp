@@ -1,5 +1,5 @@
 // Texture and buffer objects: names, bindings, sharing, parameters, images of EGL.
-#include "layer/gl/buffer.h"
+#include "layer/gl/vertices/buffer.h"
 #include "textures_fixture.h"
 
 namespace anteroom::test {

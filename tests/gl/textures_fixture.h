@@ -9,7 +9,7 @@
 #include <random>
 
 #include "image_renderer.h"
-#include "layer/gl/context.h"
+#include "layer/gl/context/context.h"
 #include "layer/gl/front_end.h"
 
 namespace anteroom::test {

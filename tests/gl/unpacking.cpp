@@ -1,5 +1,5 @@
 // Every format and type, with every alignment, against equations 3.10 and 3.11.
-#include "layer/gl/pixel.h"
+#include "layer/gl/textures/pixel.h"
 #include "textures_fixture.h"
 
 namespace anteroom::test {

@@ -1,0 +1,315 @@
+// A GL context, the objects that contexts share, and what every command begins with.
+//
+// A command looks like this:
+//
+//   extern "C" void GL_APIENTRY glLineWidth(GLfloat width) {
+//     Context* c = current();
+//     if (!c) return;
+//     if (!(width > 0)) return c->setError(GL_INVALID_VALUE, wrongNumber("width", width, "Give a width above
+//     0")); c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
+//   }
+//
+// Validation comes first and changes nothing; state goes straight into `state`, whose groups are marked.
+// Commands that touch shared objects or the renderer hold a ShareLock; internal functions never take one.
+#pragma once
+
+#include <GLES/gl.h>
+#include <GLES/glext.h>
+
+#include <array>
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "layer/gl/context/fault.h"
+#include "layer/gl/context/object_table.h"
+#include "layer/gl/front_end.h"
+#include "layer/render/renderer.h"
+
+namespace anteroom::gl {
+
+struct BufferObject;  // buffer.h: `GLuint name` and `std::shared_ptr<render::Buffer> store` (null: size 0)
+struct Texture;       // texture.h: `GLuint name` and the rest
+class DebugOutput;    // debug_output.h
+struct Renderbuffer;  // framebuffer_object.h
+struct FramebufferObject;
+struct SyncObject;   // fences.h
+struct FenceObject;  // fences.h
+
+// Held, after the group's own, by who uses images of several groups (OES_EGL_image).
+extern std::mutex sharedImagesMutex;
+
+// Textures and buffers of contexts that share. A context alone in its group takes no lock.
+class ShareGroup {
+ public:
+  explicit ShareGroup(render::Device& d) : device(d) {}
+
+  // After `contexts` was raised: the command that a context, alone until then, is in without the lock ends.
+  void awaitCommand() const;
+
+  render::Device& device;
+  ObjectTable<Texture> textures;
+  ObjectTable<BufferObject> buffers;
+  ObjectTable<Renderbuffer> renderbuffers;
+  ObjectTable<FramebufferObject> framebuffers;
+  ObjectTable<SyncObject> syncs;
+
+  // Raised when any texture's images, completeness or sampler state change, or any buffer's store is
+  // replaced: every context of the group then looks at its bindings again before it draws. New contents alone
+  // do not count.
+  std::atomic<uint32_t> textureVersion{1};
+  std::atomic<uint32_t> bufferVersion{1};
+  // Raised when an attachment of any framebuffer object, or a renderbuffer's storage, changes.
+  std::atomic<uint32_t> framebufferVersion{1};
+  int mappedBuffers = 0;  // how many buffer objects are mapped
+
+  std::atomic<int> contexts{0};
+  std::atomic<bool> inCommand{false};  // the only context is, without the lock
+  std::mutex mutex;
+  // Whether it ever had an EGLImage's sibling. Changes while nobody but the one who changes it is in a
+  // command of the group.
+  std::atomic<bool> sharesImages{false};
+};
+
+class ShareLock {
+ public:
+  explicit ShareLock(ShareGroup& group) : group_(group), locked_(!enterAlone(group)) {
+    if (locked_) group.mutex.lock();
+    images_ = group.sharesImages.load(std::memory_order_acquire);
+    if (images_) sharedImagesMutex.lock();
+  }
+  ~ShareLock() {
+    if (images_) sharedImagesMutex.unlock();
+    if (locked_)
+      group_.mutex.unlock();
+    else
+      group_.inCommand.store(false, std::memory_order_release);
+  }
+  ShareLock(const ShareLock&) = delete;
+  ShareLock& operator=(const ShareLock&) = delete;
+
+ private:
+  // Two plain stores a command. Who makes a second context has all threads of the process see things in one
+  // order (ShareGroup::awaitCommand), so that none is needed here.
+  static bool enterAlone(ShareGroup& group) {
+    if (group.contexts.load(std::memory_order_acquire) > 1) return false;
+    group.inCommand.store(true, std::memory_order_relaxed);
+    std::atomic_signal_fence(std::memory_order_seq_cst);
+    if (group.contexts.load(std::memory_order_acquire) <= 1) [[likely]]
+      return true;
+    group.inCommand.store(false, std::memory_order_release);
+    return false;
+  }
+
+  ShareGroup& group_;
+  const bool locked_;
+  bool images_;
+};
+
+// Limits that queries report (Tables 6.19 to 6.21).
+inline constexpr int kModelviewDepth = 32;
+inline constexpr int kProjectionDepth = 32;
+inline constexpr int kTextureDepth = 10;
+
+// The matrices below the top; the top lives in render::State.
+template <int Depth>
+struct MatrixStack {
+  std::array<glm::dmat4, Depth - 1> below;
+  int depth = 1;
+};
+
+enum TextureSlot : uint8_t { kSlot2D, kSlotCube, kSlot3D, kSlotExternal, kSlotCount };
+
+struct UnitBindings {
+  std::array<std::shared_ptr<Texture>, kSlotCount> bound;  // never null: name 0 is a default texture
+  std::array<bool, kSlotCount> enabled{};
+  TextureSlot sampled = kSlotCount;  // what the last draw sampled; kSlotCount: nothing
+};
+
+// Section 2.8. An array as the program described it; the renderer's view of it is made at the draw.
+struct ClientArray {
+  bool enabled = false;
+  GLint size = 4;
+  GLenum type = GL_FLOAT;
+  GLsizei stride = 0;
+  const void* pointer = nullptr;
+  bool isOffset = false;                 // pointer was given with a buffer bound: never client memory
+  std::shared_ptr<BufferObject> buffer;  // null also when that buffer has been deleted
+};
+
+struct VertexArrays {
+  std::array<ClientArray, gen::kAttributeCount> arrays;
+  std::shared_ptr<BufferObject> elementBuffer;
+};
+VertexArrays initialVertexArrays();
+
+// OES_vertex_array_object. `arrays` is empty while the object is bound: they lie in the context then.
+struct VertexArrayObject {
+  explicit VertexArrayObject(GLuint n) : name(n) {}
+
+  const GLuint name;
+  VertexArrays arrays = initialVertexArrays();
+  std::string label;
+};
+
+struct Hints {
+  GLenum perspectiveCorrection = GL_DONT_CARE;
+  GLenum pointSmooth = GL_DONT_CARE;
+  GLenum lineSmooth = GL_DONT_CARE;
+  GLenum fog = GL_DONT_CARE;
+  GLenum generateMipmap = GL_DONT_CARE;
+};
+
+class Context {
+ public:
+  Context(render::Device& device, std::shared_ptr<ShareGroup> shareGroup,
+          std::unique_ptr<render::Context> renderContext, const ContextOptions& contextOptions);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  // Section 2.5: the first error stays until glGetError. KHR_no_error: there is none but that of memory.
+  // `command`: a helper hands on the name of the command that called it.
+  void setError(GLenum code, const Fault& fault = {}, const char* command = __builtin_FUNCTION()) {
+    if (options.noError && code != GL_OUT_OF_MEMORY) return;
+    if (error == GL_NO_ERROR) error = code;
+    if (debugOutput || options.logErrors) [[unlikely]]
+      reportError(code, fault, command);
+  }
+  void mark(gen::Groups groups) {
+    state.dirty |= groups;
+    staleUnits |= (groups & gen::kGroupTextures) != 0;
+  }
+  // Stores a value and marks groups when it differs from the old one.
+  template <class T>
+  void set(T& field, const T& value, gen::Groups groups) {
+    if (field == value) return;
+    field = value;
+    mark(groups);
+  }
+
+  // Whether there is something to draw to (false: surfaceless, or an incomplete framebuffer object). Brings
+  // state.framebuffer up to date. Under the ShareLock.
+  void renewDefaultFramebuffer();
+  bool framebufferComplete();
+  // The same for what pixels are read from, readFramebuffer.
+  bool readFramebufferComplete();
+
+  render::State state;
+  GLenum error = GL_NO_ERROR;
+  render::Device& device;
+  std::shared_ptr<ShareGroup> group;
+  std::unique_ptr<render::Context> renderer;
+  const ContextOptions options;
+  const bool groupsCommands;  // tools want to see which command did what (tool_names.h)
+
+  bool hasFramebuffer = false;  // state.framebuffer is one
+  bool hadFramebuffer = false;  // viewport and scissor have their initial values
+  bool hasDefaultFramebuffer = false;
+  // What readies the default framebuffer's images; null: they are.
+  struct Expired {
+    void (*renew)(const egl::Binding&) = nullptr;
+    const egl::Binding* surfaces = nullptr;
+  } expired;
+  render::Framebuffer defaultFramebuffer;
+  render::Framebuffer defaultReadFramebuffer;
+  // OES_framebuffer_object. Null: the default framebuffer, or no renderbuffer.
+  std::shared_ptr<FramebufferObject> boundFramebuffer;
+  std::shared_ptr<FramebufferObject> boundReadFramebuffer;  // APPLE_framebuffer_multisample
+  std::shared_ptr<Renderbuffer> boundRenderbuffer;
+  uint32_t seenFramebufferVersion = 0;
+  uint32_t seenAttachedTextures = 0;  // the textureVersion at which attachments were looked up
+  render::Framebuffer
+      readFramebuffer;  // where pixels come from: state.framebuffer, but for EGL's read surface
+
+  // Section 2.10.2.
+  GLenum matrixMode = GL_MODELVIEW;
+  MatrixStack<kModelviewDepth> modelviewStack;
+  MatrixStack<kProjectionDepth> projectionStack;
+  std::array<MatrixStack<kTextureDepth>, gen::kMaxTextureUnits> textureStacks;
+
+  // OES_matrix_palette. state.fixed shows the palette while it is enabled.
+  bool paletteEnabled = false;
+  int currentPaletteMatrix = 0;
+  gen::Palette palette;
+
+  // Sections 2.8, 2.9.
+  VertexArrays vertexArrays = initialVertexArrays();
+  ObjectTable<VertexArrayObject> vertexArrayObjects;
+  std::shared_ptr<VertexArrayObject> defaultVertexArray;  // name 0
+  std::shared_ptr<VertexArrayObject> boundVertexArray;    // never null
+  std::shared_ptr<BufferObject> arrayBuffer;
+  int clientActiveTexture = 0;
+  uint32_t staleArrays = ~0u;  // bit a: the renderer's view of attribute a must be made again
+  uint32_t seenBufferVersion = 0;
+
+  // Section 3.7. Bindings or enables that changed mark kGroupTextures.
+  int activeTexture = 0;
+  std::array<UnitBindings, gen::kMaxTextureUnits> units;
+  std::array<std::shared_ptr<Texture>, kSlotCount> defaultTextures;
+  uint32_t seenTextureVersion = 0;
+  // The renderer's view of the units must be made again. state.dirty cannot say so: any call may consume it.
+  bool staleUnits = true;
+
+  ObjectTable<FenceObject> fences;  // NV_fence
+
+  // Section 3.6.1.
+  int packAlignment = 4;
+  int unpackAlignment = 4;
+
+  Hints hints;
+  GLint stencilRef = 0;  // as given; state.ops has it clamped to what the stencil buffer can hold
+  std::string rendererName;
+  std::string extensions;  // made by the first query
+
+  // KHR_debug.
+  bool debugOutput = false;  // errors and slow commands make messages
+  bool debugSynchronous = false;
+  const std::unique_ptr<DebugOutput> debug;  // never null
+
+ private:
+  void reportError(GLenum code, const Fault& fault, const char* command) const;
+};
+
+// Makes `framebuffer` (null: none) what draws go to and, unless there is a `read`, what pixels are read from,
+// and follows what the state knows of it.
+void useFramebuffer(Context& context, const render::Framebuffer* framebuffer,
+                    const render::Framebuffer* read = nullptr);
+void useDefaultFramebuffer(Context& context);
+// Derived multisample state: section 4.1.3 applies only when MULTISAMPLE is on and there is more than one
+// sample.
+void updateMultisample(Context& context);
+// Section 4.1.5: the reference is clamped to [0, 2^s - 1], s the bits of the stencil buffer (0: there is
+// none).
+int stencilBits(const Context& context);
+void applyStencilRef(Context& context);
+
+// Constant initialised and in the thread's static block: one load.
+extern constinit thread_local Context* currentContextOfThread __attribute__((tls_model("initial-exec")));
+inline Context* current() {
+  return currentContextOfThread;
+}
+
+// Given by texture.cpp (texture.h declares them too):
+//   void initTextures(Context&): makes the default textures and binds them to every unit.
+//   void resolveTextureUnits(Context&): from bindings and enables to state.fixed.units[i].target and
+//   baseFormat and
+//     state.textures[i]. Called by a draw under the ShareLock, when kGroupTextures is marked.
+//   bindTexImage and releaseTexImage of front_end.h.
+
+// Section 2.3: fixed-point numbers are value / 65536. The other way: nearest, ties away from zero,
+// saturating; NaN gives 0.
+constexpr float fromFixed(GLfixed value) {
+  return static_cast<float>(value / 65536.0);
+}
+constexpr double fixedToDouble(GLfixed value) {
+  return value / 65536.0;
+}
+GLfixed toFixed(double value);
+// Nearest integer, saturating; NaN gives 0 (section 6.1.2).
+GLint roundToInt(double value);
+// [-1, 1] to the whole range of int: colors, normals, depth values (section 6.1.2).
+GLint normalisedToInt(double value);
+
+}  // namespace anteroom::gl

@@ -1,0 +1,117 @@
+// What EGL needs of GL: the life of contexts, and which one is current.
+#include "layer/gl/front_end.h"
+
+#include <new>
+
+#include "layer/gl/context/context.h"
+#include "layer/gl/debug/debug_output.h"
+#include "layer/gl/framebuffers/framebuffer_object.h"
+#include "layer/gl/textures/texture.h"
+
+namespace anteroom::gl {
+
+namespace {
+
+void destroyContext(Context* context) {
+  if (currentContextOfThread == context) currentContextOfThread = nullptr;
+  delete context;
+}
+
+}  // namespace
+
+std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device& device, Context* shareWith,
+                                                           const ContextOptions& options) {
+  std::unique_ptr<Context, void (*)(Context*)> context(nullptr, destroyContext);
+  try {
+    auto renderer = device.createContext();
+    if (!renderer) return context;
+    auto group = shareWith ? shareWith->group : std::make_shared<ShareGroup>(device);
+    context.reset(new Context(device, std::move(group), std::move(renderer), options));
+    initTextures(*context);
+  } catch (const std::bad_alloc&) {
+    context.reset();
+  }
+  return context;
+}
+
+// Objects that die with the context may be seen by others of its group until then.
+Context::~Context() {
+  {
+    ShareLock lock(*group);
+    vertexArrays = {};
+    vertexArrayObjects = {};
+    arrayBuffer.reset();
+    boundFramebuffer.reset();
+    boundReadFramebuffer.reset();
+    boundRenderbuffer.reset();
+    units = {};
+    defaultTextures = {};
+    renderer.reset();
+  }
+  --group->contexts;
+}
+
+Context* currentContext() {
+  return current();
+}
+
+void makeCurrent(Context* context) {
+  Context* former = currentContextOfThread;
+  if (former == context) return;
+  if (former) flush(*former);
+  currentContextOfThread = context;
+}
+
+void abandonContexts() {
+  currentContextOfThread = nullptr;
+  new (&sharedImagesMutex) std::mutex;  // another thread of the parent may have it
+}
+
+void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
+                           const render::Framebuffer* read) {
+  c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
+  c.defaultReadFramebuffer = read ? *read : c.defaultFramebuffer;
+  c.hasDefaultFramebuffer = framebuffer != nullptr;
+  c.expired = {};
+  if (!c.boundFramebuffer) useDefaultFramebuffer(c);
+  if (!framebuffer || c.hadFramebuffer) return;
+  c.hadFramebuffer = true;
+  c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};
+  c.state.scissor = c.state.viewport;
+  c.mark(gen::kGroupViewport);
+}
+
+void expireDefaultFramebuffer(Context& c, void (*renew)(const egl::Binding&), const egl::Binding* surfaces) {
+  c.expired = {renew, surfaces};
+}
+
+render::Presented present(Context& c, render::Window& window, std::span<const render::Rect> damage) {
+  ShareLock lock(*c.group);
+  return c.renderer->present(window, damage);
+}
+
+void drawHud(Context& c, const render::Framebuffer& framebuffer, const render::Hud& hud) {
+  ShareLock lock(*c.group);
+  c.renderer->drawHud(framebuffer, hud);
+}
+
+render::Context& rendererOf(Context& c) {
+  return *c.renderer;
+}
+
+void flush(Context& c) {
+  ShareLock lock(*c.group);
+  c.renderer->flush();
+}
+
+void finish(Context& c) {
+  ShareLock lock(*c.group);
+  c.renderer->finish();
+}
+
+uint64_t insertFence(Context& c) {
+  ShareLock lock(*c.group);
+  return c.renderer->insertFence();
+}
+
+}  // namespace anteroom::gl

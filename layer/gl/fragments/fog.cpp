@@ -1,0 +1,56 @@
+// Section 3.8: fog.
+#include "layer/gl/context/params.h"
+
+using namespace anteroom::gl;
+namespace gen = anteroom::gen;
+
+namespace {
+
+void setFog(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c || params.null()) return;
+  gen::Fog& fog = c->state.fixed.fog;
+  switch (pname) {
+    case GL_FOG_MODE: {
+      const GLenum mode = params.enumerant();
+      if (mode != GL_EXP && mode != GL_EXP2 && mode != GL_LINEAR)
+        return c->setError(GL_INVALID_ENUM, wrongEnum("param", mode, "Use EXP, EXP2 or LINEAR"), command);
+      return c->set(fog.mode, mode, gen::kGroupFog);
+    }
+    case GL_FOG_DENSITY:
+      if (!(params.number() >= 0))
+        return c->setError(GL_INVALID_VALUE,
+                           wrongNumber("param", params.number(), "Give a density from 0 on"), command);
+      return c->set(fog.density, params.number(), gen::kGroupFog);
+    case GL_FOG_START:
+      return c->set(fog.start, params.number(), gen::kGroupFog);
+    case GL_FOG_END:
+      return c->set(fog.end, params.number(), gen::kGroupFog);
+    case GL_FOG_COLOR:
+      if (!params.vector())
+        return c->setError(
+            GL_INVALID_ENUM,
+            wrongEnum("pname", pname, "FOG_COLOR has four values: use a command that takes a pointer"),
+            command);
+      return c->set(fog.color, clamp01(params.color()), gen::kGroupFog);
+    default:
+      return c->setError(
+          GL_INVALID_ENUM,
+          wrongEnum("pname", pname, "Use FOG_MODE, FOG_DENSITY, FOG_START, FOG_END or FOG_COLOR"), command);
+  }
+}
+
+}  // namespace
+
+GL_API void GL_APIENTRY glFogf(GLenum pname, GLfloat param) {
+  setFog(pname, Params::floats(&param, false));
+}
+GL_API void GL_APIENTRY glFogfv(GLenum pname, const GLfloat* params) {
+  setFog(pname, Params::floats(params, true));
+}
+GL_API void GL_APIENTRY glFogx(GLenum pname, GLfixed param) {
+  setFog(pname, Params::fixeds(&param, false));
+}
+GL_API void GL_APIENTRY glFogxv(GLenum pname, const GLfixed* params) {
+  setFog(pname, Params::fixeds(params, true));
+}

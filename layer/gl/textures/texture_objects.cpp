@@ -1,0 +1,200 @@
+// Texture names and bindings (section 3.7.11), images of EGL, and what a draw samples (section 3.7.13).
+#include <new>
+
+#include "gen/ati.h"
+#include "layer/gl/framebuffers/framebuffer_object.h"
+#include "layer/gl/queries/missing_enums.h"
+#include "layer/gl/textures/texture.h"
+
+namespace anteroom::gl {
+namespace {
+
+struct Target {
+  TextureSlot slot;
+  gen::TextureTarget target;
+};
+
+// OES_texture_cube_map: when both are enabled, the cube map is used, and when it is not complete the unit is
+// off.
+constexpr Target kByPriority[] = {
+    {kSlotExternal, gen::TextureTarget::Texture2D},  // OES_EGL_image_external: before all others
+    {kSlotCube, gen::TextureTarget::CubeMap},
+    {kSlot3D, gen::TextureTarget::Texture3D},  // as in EXT_texture3D: before TEXTURE_2D
+    {kSlot2D, gen::TextureTarget::Texture2D},
+};
+
+void bind(Context& c, UnitBindings& unit, TextureSlot slot, std::shared_ptr<Texture> texture) {
+  if (unit.bound[slot] == texture) return;
+  unit.bound[slot] = std::move(texture);
+  if (unit.enabled[slot]) c.mark(gen::kGroupTextures);
+}
+
+// EXT_texture_mirror_clamp; the border shows where a filter is linear.
+gen::MirroredEdge edgeOf(GLenum wrap, const render::Sampler& sampler) {
+  const bool linear = sampler.magFilter == GL_LINEAR || sampler.minFilter == GL_LINEAR ||
+                      sampler.minFilter == GL_LINEAR_MIPMAP_NEAREST ||
+                      sampler.minFilter == GL_LINEAR_MIPMAP_LINEAR;
+  switch (wrap) {
+    case gen::kMirrorClamp:
+      return linear ? gen::MirroredEdge::Half : gen::MirroredEdge::Texel;
+    case gen::kMirrorClampToEdge:
+      return gen::MirroredEdge::Texel;
+    case gen::kMirrorClampToBorder:
+      return linear ? gen::MirroredEdge::Whole : gen::MirroredEdge::Hard;
+    default:
+      return gen::MirroredEdge::None;
+  }
+}
+
+// False: out of memory.
+bool resolveUnit(Context& c, UnitBindings& unit, gen::TextureUnit& fixed, render::TextureBinding& binding) {
+  fixed.target = gen::TextureTarget::None;
+  unit.sampled = kSlotCount;
+  binding.image = nullptr;
+  for (const Target& candidate : kByPriority) {
+    if (!unit.enabled[candidate.slot]) continue;
+    Texture& texture = *unit.bound[candidate.slot];
+    if (!texture.complete()) return true;
+    binding.image = texture.sampled(c).get();
+    if (!binding.image) return false;
+    binding.sampler = texture.sampler;
+    const SharedImage* part = texture.sampledPart();
+    binding.onlyLevel = part ? part->level : -1;
+    binding.onlyLayer = part ? part->layer : 0;
+    unit.sampled = candidate.slot;
+    fixed.target = candidate.target;
+    fixed.baseFormat = texture.baseFormat();
+    fixed.edges = {edgeOf(texture.sampler.wrapS, texture.sampler),
+                   edgeOf(texture.sampler.wrapT, texture.sampler),
+                   edgeOf(texture.sampler.wrapR, texture.sampler)};
+    fixed.lateSwitchOver = texture.switchesLate();
+    return true;
+  }
+  return true;
+}
+
+}  // namespace
+
+TextureSlot bindingSlot(GLenum target) {
+  switch (target) {
+    case GL_TEXTURE_2D:
+      return kSlot2D;
+    case GL_TEXTURE_CUBE_MAP_OES:
+      return kSlotCube;
+    case GL_TEXTURE_3D_OES:
+      return kSlot3D;
+    case GL_TEXTURE_EXTERNAL_OES:
+      return kSlotExternal;
+    default:
+      return kSlotCount;
+  }
+}
+
+ImageTarget imageTarget(GLenum target) {
+  if (target == GL_TEXTURE_2D) return {kSlot2D, 0};
+  if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z_OES) {
+    return {kSlotCube, static_cast<int>(target - GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES)};
+  }
+  return {};
+}
+
+void initTextures(Context& c) {
+  for (int slot = 0; slot < kSlotCount; ++slot) {
+    const auto at = static_cast<size_t>(slot);
+    c.defaultTextures[at] = std::make_shared<Texture>(0, static_cast<TextureSlot>(slot), c.device.caps());
+    for (UnitBindings& unit : c.units) unit.bound[at] = c.defaultTextures[at];
+  }
+}
+
+void resolveTextureUnits(Context& c) {
+  bool resolved = true;
+  for (size_t i = 0; i < c.units.size(); ++i) {
+    resolved = resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && resolved;
+  }
+  // Images that were made just now raised the version, too.
+  c.seenTextureVersion = c.group->textureVersion.load(std::memory_order_relaxed);
+  c.mark(gen::kGroupTextures);
+  c.staleUnits = !resolved;  // after a failure the next draw tries again
+  if (!resolved) c.setError(GL_OUT_OF_MEMORY);
+}
+
+bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {
+  if (target != GL_TEXTURE_2D || !image || image->desc().dimension != render::Dimension::Flat) return false;
+  ShareLock lock(*c.group);
+  Texture& texture = boundTexture(c, kSlot2D);
+  if (texture.immutable()) return false;  // EXT_texture_storage
+  const GLenum linear = alpha ? GL_RGBA : GL_RGB, encoded = alpha ? GL_SRGB_ALPHA_EXT : GL_SRGB_EXT;
+  texture.import(c, image, render::isSrgb(image->desc().format) ? encoded : linear);
+  return true;
+}
+
+void releaseTexImage(Context& c, const std::shared_ptr<render::Image>& image) {
+  ShareLock lock(*c.group);
+  const auto release = [&](Texture& texture) {
+    if (texture.imported(image)) texture.releaseImport(c);
+  };
+  c.group->textures.forEach(release);
+  for (const std::shared_ptr<Texture>& texture : c.defaultTextures) release(*texture);
+}
+
+}  // namespace anteroom::gl
+
+using namespace anteroom::gl;
+
+GL_API void GL_APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
+  if (!textures) return;
+  ShareLock lock(*c->group);
+  if (!c->group->textures.reserve(n, textures)) c->setError(GL_OUT_OF_MEMORY);
+}
+
+GL_API void GL_APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
+  Context* c = current();
+  if (!c) return;
+  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
+  if (!textures) return;
+  ShareLock lock(*c->group);
+  for (GLsizei i = 0; i < n; ++i) {
+    if (textures[i] == 0) continue;
+    const std::shared_ptr<Texture> texture = c->group->textures.remove(textures[i]);
+    if (!texture) continue;
+    const TextureSlot slot = texture->slot;
+    detach(*c, texture.get(), nullptr);
+    for (UnitBindings& unit : c->units) {
+      if (unit.bound[slot] == texture) bind(*c, unit, slot, c->defaultTextures[slot]);
+    }
+  }
+}
+
+GL_API GLboolean GL_APIENTRY glIsTexture(GLuint texture) {
+  Context* c = current();
+  if (!c || texture == 0) return GL_FALSE;
+  ShareLock lock(*c->group);
+  return c->group->textures.find(texture) ? GL_TRUE : GL_FALSE;
+}
+
+GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets));
+  UnitBindings& unit = c->units[static_cast<size_t>(c->activeTexture)];
+  ShareLock lock(*c->group);
+  if (name == 0) return bind(*c, unit, slot, c->defaultTextures[slot]);
+
+  std::shared_ptr<Texture> texture = c->group->textures.find(name);
+  if (!texture) {
+    try {
+      texture = std::make_shared<Texture>(name, slot, c->device.caps());
+    } catch (const std::bad_alloc&) {
+      return c->setError(GL_OUT_OF_MEMORY);
+    }
+    if (!c->group->textures.put(name, texture)) return c->setError(GL_OUT_OF_MEMORY);
+  }
+  if (texture->slot != slot)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongNumber("texture", name, "Bind it to the target that it was bound to first"));
+  bind(*c, unit, slot, std::move(texture));
+}

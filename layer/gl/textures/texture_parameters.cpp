@@ -1,0 +1,166 @@
+// TexParameter and its queries (sections 3.7.5, 6.1.3).
+#include "gen/ati.h"
+#include "layer/gl/queries/missing_enums.h"
+#include "layer/gl/queries/query.h"
+#include "layer/gl/textures/texture.h"
+
+using namespace anteroom::gl;
+namespace gen = anteroom::gen;
+namespace render = anteroom::render;
+
+namespace {
+
+bool isMinFilter(TextureSlot slot, GLenum value) {
+  if (value == GL_NEAREST || value == GL_LINEAR) return true;
+  return slot != kSlotExternal && (value >= GL_NEAREST_MIPMAP_NEAREST && value <= GL_LINEAR_MIPMAP_LINEAR);
+}
+bool isMagFilter(GLenum value) {
+  return value == GL_NEAREST || value == GL_LINEAR;
+}
+bool isWrapMode(TextureSlot slot, GLenum value) {
+  if (value == GL_CLAMP_TO_EDGE) return true;
+  return slot != kSlotExternal &&
+         (value == GL_REPEAT || value == GL_MIRRORED_REPEAT_OES || value == gen::kMirrorClamp ||
+          value == gen::kMirrorClampToEdge || value == gen::kMirrorClampToBorder);
+}
+
+constexpr const char* kLegalValues = "Use a value of table 3.10 that goes with pname and target";
+constexpr const char* kNames = "Use a name of table 3.10, such as TEXTURE_MIN_FILTER";
+
+template <class T>
+void assign(Context& c, Texture& texture, T& field, T value, bool legal, const char* command,
+            GLenum error = GL_INVALID_ENUM) {
+  if (!legal) return c.setError(error, wrongEnum("param", static_cast<GLenum>(value), kLegalValues), command);
+  if (field == value) return;
+  field = value;
+  texture.changed(c);
+}
+
+// Parameters of one value.
+void setParameter(GLenum target, GLenum pname, const Params& params,
+                  const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
+  if (params.null()) return;
+  ShareLock lock(*c->group);
+  Texture& texture = boundTexture(*c, slot);
+  render::Sampler& sampler = texture.sampler;
+  const GLenum value = params.enumerant();
+  switch (pname) {
+    case GL_TEXTURE_MIN_FILTER:
+      return assign(*c, texture, sampler.minFilter, value, isMinFilter(slot, value), command);
+    case GL_TEXTURE_MAG_FILTER:
+      return assign(*c, texture, sampler.magFilter, value, isMagFilter(value), command);
+    case GL_TEXTURE_WRAP_S:
+      return assign(*c, texture, sampler.wrapS, value, isWrapMode(slot, value), command);
+    case GL_TEXTURE_WRAP_T:
+      return assign(*c, texture, sampler.wrapT, value, isWrapMode(slot, value), command);
+    case GL_TEXTURE_WRAP_R_OES:
+      return assign(*c, texture, sampler.wrapR, value, isWrapMode(slot, value), command);
+    case GL_GENERATE_MIPMAP:
+      if (slot == kSlotExternal && params.boolean())
+        return c->setError(GL_INVALID_ENUM,
+                           wrongEnum("pname", pname, "Textures of EGLImages alone have one level"), command);
+      texture.generateMipmap = params.boolean();
+      return;
+    case GL_TEXTURE_MAX_ANISOTROPY_EXT:
+      return assign(*c, texture, sampler.maxAnisotropy, params.number(), params.number() >= 1, command,
+                    GL_INVALID_VALUE);
+    case GL_TEXTURE_MAX_LEVEL_APPLE: {
+      const int level = roundToInt(params.number());
+      return assign(*c, texture, sampler.maxLevel, level, level >= 0, command, GL_INVALID_VALUE);
+    }
+    default:
+      c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
+  }
+}
+
+// Vector commands take the crop rectangle too; `toInt` reads a coordinate (OES_draw_texture).
+template <class T, class ToInt>
+void setParameters(GLenum target, GLenum pname, const Params& params, const T* values, ToInt toInt,
+                   const char* command = __builtin_FUNCTION()) {
+  if (pname != GL_TEXTURE_CROP_RECT_OES) return setParameter(target, pname, params, command);
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
+  if (!values) return;
+  ShareLock lock(*c->group);
+  for (size_t i = 0; i < 4; ++i) boundTexture(*c, slot).cropRect[i] = toInt(values[i]);
+}
+
+using enum Results::Kind;
+
+// Table 6.14, OES_draw_texture, OES_texture_3D, OES_EGL_image_external, EXT_texture_filter_anisotropic,
+// EXT_texture_storage, APPLE_texture_max_level. Booleans are not scaled in fixed point, like the values that
+// set them.
+constexpr auto kTextureQueries = tableOf<Query<Texture>>({
+    {GL_TEXTURE_MIN_FILTER, Enum, [](Texture& t) { return t.sampler.minFilter; }},
+    {GL_TEXTURE_MAG_FILTER, Enum, [](Texture& t) { return t.sampler.magFilter; }},
+    {GL_TEXTURE_WRAP_S, Enum, [](Texture& t) { return t.sampler.wrapS; }},
+    {GL_TEXTURE_WRAP_T, Enum, [](Texture& t) { return t.sampler.wrapT; }},
+    {GL_GENERATE_MIPMAP, Enum, [](Texture& t) { return t.generateMipmap; }},
+    {GL_TEXTURE_CROP_RECT_OES, Integer, [](Texture& t) { return t.cropRect; }},
+    {GL_TEXTURE_WRAP_R_OES, Enum, [](Texture& t) { return t.sampler.wrapR; }},
+    {GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, Integer, [](Texture&) { return 1; }},
+    {GL_TEXTURE_MAX_ANISOTROPY_EXT, Number, [](Texture& t) { return t.sampler.maxAnisotropy; }},
+    {GL_TEXTURE_IMMUTABLE_FORMAT_EXT, Enum, [](Texture& t) { return t.immutable(); }},
+    {GL_TEXTURE_MAX_LEVEL_APPLE, Integer, [](Texture& t) { return t.sampler.maxLevel; }},
+});
+
+void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
+                  const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c) return;
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
+  if (!params) return;
+  ShareLock lock(*c->group);
+  Results results(params, form);
+  if (!answer(kTextureQueries, boundTexture(*c, slot), pname, results))
+    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
+}
+
+}  // namespace
+
+GL_API void GL_APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
+  setParameter(target, pname, Params::floats(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameterx(GLenum target, GLenum pname, GLfixed param) {
+  setParameter(target, pname, Params::fixeds(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
+  setParameter(target, pname, Params::integers(&param, false));
+}
+
+GL_API void GL_APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
+  setParameters(target, pname, Params::floats(params, true), params, [](GLfloat v) { return roundToInt(v); });
+}
+
+GL_API void GL_APIENTRY glTexParameterxv(GLenum target, GLenum pname, const GLfixed* params) {
+  setParameters(target, pname, Params::fixeds(params, true), params,
+                [](GLfixed v) { return roundToInt(fixedToDouble(v)); });
+}
+
+GL_API void GL_APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
+  setParameters(target, pname, Params::integers(params, true), params, [](GLint v) { return v; });
+}
+
+GL_API void GL_APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
+  getParameter(target, pname, params, Results::Form::Float);
+}
+
+GL_API void GL_APIENTRY glGetTexParameterxv(GLenum target, GLenum pname, GLfixed* params) {
+  getParameter(target, pname, params, Results::Form::Fixed);
+}
+
+GL_API void GL_APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
+  getParameter(target, pname, params, Results::Form::Integer);
+}
