@@ -76,7 +76,7 @@ TEST(CubeFaces, CamerasLookWhereFacesAreLookedUp) {
 TEST(LightBake, BlocksCastShadows) {
   const dvec3 up(0, 1, 0);
   room::LightBake light;
-  light.setSun({{0, 1, 0}, 0.01, dvec3(1)});
+  light.add(room::Sun{{0, 1, 0}, 0.01, dvec3(1)});
   EXPECT_NEAR(light.light({0, 0, 0}, up).x, 1, 1e-9);
   EXPECT_EQ(light.light({0, 0, 0}, -up).x, 0);
   light.add(room::Block{{0, 2, 0}, {0.5, 0.1, 0.2}, glm::radians(90.0)});
@@ -95,7 +95,7 @@ TEST(LightBake, LampsAndCorners) {
   EXPECT_NEAR(light.light({0, 0, 0}, up).x, 0.25, 2e-3);
   EXPECT_NEAR(light.light({2, 0, 0}, up).x, 0.125 * std::sqrt(0.5), 2e-3);
   room::LightBake corner;
-  corner.setAmbient(dvec3(1));
+  corner.addAmbient(dvec3(1));
   EXPECT_NEAR(corner.light({0, 0, 0}, up).x, 1, 1e-9);
   corner.add(room::Block{{1.01, 1, 0}, {1, 1, 3}});
   EXPECT_LT(corner.light({0, 0, 0}, up).x, 0.6);

@@ -4,7 +4,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "room/noise.h"
-#include "room/set/light_bake.h"
 #include "room/set/materials.h"
 
 namespace particles {
@@ -55,7 +54,7 @@ room::Texel sootyPlaster(double u, double v) {
 
 }  // namespace
 
-Cellar::Cellar() : light_(kRoomMin, kRoomMax, kBrazier + dvec3(0, kCoalHeight, 0)) {
+Cellar::Cellar() : light_(firelightBake(kRoomMin, kRoomMax, kBrazier + dvec3(0, kCoalHeight, 0))) {
   makeMaterials();
   addBrazier();
   addBarrels();
@@ -111,10 +110,7 @@ void Cellar::addGlowing(const room::Texture& base, const room::MeshData& data,
 }
 
 void Cellar::finish(const room::Texture& base, const room::MeshData& data) {
-  std::vector<glm::vec3> light;
-  light.reserve(data.vertices.size());
-  for (const room::Vertex& v : data.vertices) light.emplace_back(light_.halfLight(v.position, v.normal));
-  furniture_.push_back({std::make_unique<room::Mesh>(data, light), &base});
+  furniture_.push_back({std::make_unique<room::Mesh>(data, light_.vertexLight(data)), &base});
 }
 
 }  // namespace particles

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "light_bake.h"
+#include "firelight.h"
 #include "room/mesh.h"
 #include "room/texture.h"
 
@@ -54,7 +54,7 @@ class Cellar {
                   const std::vector<glm::vec3>& colors);
   void finish(const room::Texture& base, const room::MeshData& data);
 
-  LightBake light_;
+  room::LightBake light_;
   room::Texture brick_, flagstones_, plaster_, wood_, iron_, glass_;
   room::MeshData wooden_, metal_, bottles_;
   std::vector<Wall> walls_;

@@ -1,7 +1,5 @@
 #include "chapel.h"
 
-#include <OpenImageIO/parallel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -161,7 +159,7 @@ void Chapel::addBlock(MeshData& mesh, dvec3 center, dvec3 size, int number) {
   mesh.append(
       room::box(size, 0.18, 1 / room::kWoodExtent, {room::hash(number, 1, 7), room::hash(number, 2, 7)}),
       glm::translate(glm::dmat4(1.0), center));
-  blocks_.push_back({center - size * 0.5, center + size * 0.5});
+  blocks_.push_back({center, size * 0.5});
 }
 
 void Chapel::addShell() {
@@ -175,9 +173,12 @@ void Chapel::addShell() {
   stone.append(room::rectangle({kRoomMin.x, 0, kRoomMax.z}, -z, y, kCell, 1 / kAshlarExtent));
   stone.append(room::rectangle({kRoomMax.x, 0, kRoomMin.z}, z, y, kCell, 1 / kAshlarExtent));
   // Not seen, but they take light away from the corners.
-  blocks_.push_back({{kRoomMin.x - 1, -1, kRoomMin.z}, {kRoomMin.x - 0.01, kEaves, kRoomMax.z}});
-  blocks_.push_back({{kRoomMax.x + 0.01, -1, kRoomMin.z}, {kRoomMax.x + 1, kEaves, kRoomMax.z}});
-  blocks_.push_back({{kRoomMin.x, -1, kRoomMin.z}, {kRoomMax.x, -0.01, kRoomMax.z}});
+  const auto block = [this](const dvec3& low, const dvec3& high) {
+    blocks_.push_back({(low + high) * 0.5, (high - low) * 0.5});
+  };
+  block({kRoomMin.x - 1, -1, kRoomMin.z}, {kRoomMin.x - 0.01, kEaves, kRoomMax.z});
+  block({kRoomMax.x + 0.01, -1, kRoomMin.z}, {kRoomMax.x + 1, kEaves, kRoomMax.z});
+  block({kRoomMin.x, -1, kRoomMin.z}, {kRoomMax.x, -0.01, kRoomMax.z});
   addGable(stone);
   MeshData frame;
   for (const GlazedLancet& window : windows_) addWindow(window, stone, frame);
@@ -271,35 +272,34 @@ glm::dmat4 Chapel::lampAt(double time) {
   return glm::rotate(m, 0.5 * std::sin(turn / 31.0), dvec3(0, 1, 0));
 }
 
-void Chapel::lightPart(Part& part, const Daylight& daylight) {
-  const std::vector<room::Vertex>& vertices = part.data.vertices;
-  const glm::dmat4 rest = part.swings ? lampAt(0) : glm::dmat4(1.0);
-  part.colors.resize(vertices.size());
-  OIIO::parallel_for_chunked(
-      0, static_cast<std::int64_t>(vertices.size()), 256, [&](std::int64_t begin, std::int64_t end) {
-        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-          const dvec3 point(rest * glm::dvec4(vertices[i].position, 1.0));
-          const dvec3 normal = glm::dmat3(rest) * vertices[i].normal;
-          dvec3 sum = daylight.diffuse(point, normal);
-          if (part.surface == Surface::Solid) sum += daylight.sun(point, normal);
-          part.colors[i] = displayed(sum, kLightScale);
-        }
-      });
-}
-
 void Chapel::light() {
-  const Daylight daylight(windows_, kRoomMin.z - kGlassRecess, kToSun, blocks_);
+  const Daylight daylight(windows_, kRoomMin.z - kGlassRecess, kToSun);
+  const auto bake = [&](bool sky, bool sun) {
+    room::LightBake light({2e-3, sky ? room::opennessByRays(1.3, 24) : nullptr, room::halfGamma});
+    for (const room::Block& block : blocks_) light.add(block);
+    if (sky) light.add([&](const auto& at, const auto& obstacles) { return daylight.sky(at, obstacles); });
+    if (sun) light.add([&](const auto& at, const auto& obstacles) { return daylight.sun(at, obstacles); });
+    return light;
+  };
+  const room::LightBake sky = bake(true, false);
+  const room::LightBake skyAndSun = bake(true, true);
   for (Part& part : parts_) {
-    if (part.colors.empty()) lightPart(part, daylight);
+    if (part.colors.empty()) {
+      const room::LightBake& light = part.surface == Surface::Solid ? skyAndSun : sky;
+      part.colors = light.vertexLight(part.data, part.swings ? lampAt(0) : glm::dmat4(1.0));
+    }
     part.mesh = std::make_unique<room::Mesh>(part.data, part.colors);
   }
+  // Row 0 lies at the windows.
   const dvec3 size = kRoomMax - kRoomMin;
-  const room::Image sun = room::generate(kSunMapSize, kSunMapSize, 3, [&](double u, double v, float* out) {
-    const dvec3 point(kRoomMin.x + u * size.x, 0, kRoomMin.z + v * size.z);
-    const glm::vec3 color = displayed(daylight.sun(point, dvec3(0, 1, 0)), kLightScale);
-    for (int i = 0; i < 3; ++i) out[i] = color[i];
-  });
-  sunOnFloor_ = room::makeTexture(sun, room::Filter::Mipmapped, GL_CLAMP_TO_EDGE);
+  const room::LightBake sun = bake(false, true);
+  const room::Image onFloor =
+      room::generate(kSunMapSize, kSunMapSize, 3, [&](double u, double v, float* out) {
+        const glm::vec3 color =
+            sun.halfLight({kRoomMin.x + u * size.x, 0, kRoomMin.z + v * size.z}, dvec3(0, 1, 0));
+        for (int i = 0; i < 3; ++i) out[i] = color[i];
+      });
+  sunOnFloor_ = room::makeTexture(onFloor, room::Filter::Mipmapped, GL_CLAMP_TO_EDGE);
 }
 
 }  // namespace postprocessing

@@ -61,10 +61,9 @@ class Chapel {
   // A box that also stands in the way of the daylight.
   void addBlock(room::MeshData& mesh, glm::dvec3 center, glm::dvec3 size, int number = 0);
   void light();
-  static void lightPart(Part& part, const Daylight& daylight);
 
   std::vector<GlazedLancet> windows_;
-  std::vector<Block> blocks_;
+  std::vector<room::Block> blocks_;
   std::vector<Part> parts_;
   room::MeshData wax_;
   room::MeshData flames_;

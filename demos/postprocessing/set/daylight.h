@@ -1,19 +1,12 @@
-// The light that falls through the windows, worked out once for everything that stands still.
+// The light that comes through the chapel's windows.
 #pragma once
 
-#include <glm/glm.hpp>
 #include <vector>
 
-#include "room/image.h"
+#include "room/set/light_bake.h"
 #include "stone_and_glass.h"
 
 namespace postprocessing {
-
-// An axis-aligned block that light does not pass.
-struct Block {
-  glm::dvec3 low;
-  glm::dvec3 high;
-};
 
 struct GlazedLancet {
   Lancet lancet;
@@ -22,31 +15,26 @@ struct GlazedLancet {
 
 class Daylight {
  public:
-  // glassPlane: z of the windows, which the rest of the room is in front of.
-  Daylight(const std::vector<GlazedLancet>& windows, double glassPlane, glm::dvec3 toSun,
-           std::vector<Block> blocks);
+  // glassPlane: z of the windows, which the rest of the room is in front of. The windows outlive it.
+  Daylight(const std::vector<GlazedLancet>& windows, double glassPlane, const glm::dvec3& toSun);
 
-  // Linear light on a surface element; 1 is what makes white look white.
-  glm::dvec3 diffuse(glm::dvec3 point, glm::dvec3 normal) const;
-  glm::dvec3 sun(glm::dvec3 point, glm::dvec3 normal) const;
+  // Sources for a LightBake: the sky in the windows with what the room throws back, and the sun, which each
+  // pane colors.
+  glm::dvec3 sky(const room::LitPoint& at, const room::Obstacles& obstacles) const;
+  glm::dvec3 sun(const room::LitPoint& at, const room::Obstacles& obstacles) const;
 
  private:
   struct Patch {
     glm::dvec3 center;
     glm::dvec3 color;  // linear, times its area
   };
-  bool blocked(const glm::dvec3& from, const glm::dvec3& direction, double length) const;
-  double openness(const glm::dvec3& point, const glm::dvec3& normal) const;
+  void addPatches(const GlazedLancet& window);
   glm::dvec3 throughGlass(const glm::dvec3& point, const glm::dvec3& direction) const;
 
-  std::vector<GlazedLancet> windows_;
+  const std::vector<GlazedLancet>& windows_;
   double glassPlane_;
   glm::dvec3 toSun_;
-  std::vector<Block> blocks_;
   std::vector<Patch> patches_;
 };
-
-// Linear light as the factor that textures are multiplied by, in units of `scale`.
-glm::vec3 displayed(const glm::dvec3& linear, double scale);
 
 }  // namespace postprocessing

@@ -78,7 +78,7 @@ void Chapel::addColumns() {
   for (double z : kColumnZ) {
     for (double x : {-kColumnX, kColumnX}) {
       mesh.append(room::lathe(shaft, 28, 60, {1, 1.6}), at({x, 0, z}));
-      blocks_.push_back({{x - 0.12, 0.2, z - 0.12}, {x + 0.12, 4.0, z + 0.12}});
+      blocks_.push_back({{x, 2.1, z}, {0.12, 1.9, 0.12}});
       addBlock(mesh, {x, 0.11, z}, {0.60, 0.22, 0.60});
       addBlock(mesh, {x, 4.08, z}, {0.60, 0.12, 0.60});
     }

@@ -149,7 +149,7 @@ void Playroom::makeTextures() {
 
 // The lamp, the window, what light the walls throw back, and what stands in its way.
 void Playroom::addLight() {
-  light_.setAmbient({0.30, 0.27, 0.26});
+  light_.addAmbient({0.30, 0.27, 0.26});
   light_.add(room::Lamp{kLampCenter, 0.10, {2.2, 1.42, 0.70}});
   light_.add(room::Lamp{{-1.0, 2.2, 1.6}, 0.5, {0.55, 0.45, 0.34}, false});
   light_.add(room::Opening{{kWindowLow.x, kWindowLow.y, kRoomMin.z},

@@ -1,18 +1,9 @@
-// The light of lamp, candles and moon at a point of the parlour, with soft shadows: what is baked into
-// vertices.
+// The light of lamp, candles and moon in the parlour.
 #pragma once
 
-#include <glm/glm.hpp>
-#include <vector>
+#include "room/set/light_bake.h"
 
 namespace skinning {
-
-// An upright body that light does not pass, a little smaller than what it stands for.
-struct Pillar {
-  glm::dvec3 foot;  // metres
-  double radius;
-  double height;
-};
 
 struct Flame {
   glm::dvec3 position;  // metres
@@ -20,23 +11,9 @@ struct Flame {
   double radius;        // metres: how soft its shadows are
 };
 
-class Candlelight {
- public:
-  // The room's corners.
-  Candlelight(glm::dvec3 low, glm::dvec3 high) : low_(low), high_(high) {}
-  void add(const Pillar& pillar) { pillars_.push_back(pillar); }
-  void add(const Flame& flame) { flames_.push_back(flame); }
-
-  // Half the light (what is brighter than 0.5 is overbright) in [0,1].
-  glm::dvec3 halfLight(const glm::dvec3& point, const glm::dvec3& normal) const;
-
- private:
-  bool visible(const glm::dvec3& from, const glm::dvec3& to) const;
-  double openness(const glm::dvec3& point, const glm::dvec3& normal) const;
-
-  glm::dvec3 low_, high_;
-  std::vector<Pillar> pillars_;
-  std::vector<Flame> flames_;
-};
+// Without any flame yet. low, high: the room's corners.
+room::LightBake candlelightBake(const glm::dvec3& low, const glm::dvec3& high);
+// The flame, and what the walls throw back of it.
+room::Source lightOf(const Flame& flame);
 
 }  // namespace skinning

@@ -32,7 +32,7 @@ room::Texture solid(dvec3 color, double alpha) {
 
 }  // namespace
 
-Parlour::Parlour() : light_(kRoomMin, kRoomMax) {
+Parlour::Parlour() : light_(candlelightBake(kRoomMin, kRoomMax)) {
   makeMaterials();
   addTable();
   addPlinth();
@@ -90,16 +90,14 @@ void Parlour::makeMaterials() {
 
 // The lamp, the candles that stand by now, and the moon as a soft patch in the window.
 void Parlour::placeLights() {
-  light_.add(Flame{kLamp, dvec3(2.35, 1.50, 0.75), 0.05});
-  for (const dvec3& candle : candles_) light_.add(Flame{candle, dvec3(0.36, 0.205, 0.085), 0.012});
-  light_.add(Flame{kWindowCorner + dvec3(kWindowSize * 0.5, 0.10), dvec3(0.10, 0.15, 0.27), 0.30});
+  light_.add(lightOf({kLamp, dvec3(2.35, 1.50, 0.75), 0.05}));
+  for (const dvec3& candle : candles_) light_.add(lightOf({candle, dvec3(0.36, 0.205, 0.085), 0.012}));
+  light_.add(lightOf({kWindowCorner + dvec3(kWindowSize * 0.5, 0.10), dvec3(0.10, 0.15, 0.27), 0.30}));
 }
 
 void Parlour::finish(const room::Texture& base, const MeshData& data, Surface surface, dvec3 tint) {
-  std::vector<glm::vec3> light;
-  light.reserve(data.vertices.size());
-  for (const room::Vertex& v : data.vertices)
-    light.emplace_back(tint * light_.halfLight(v.position, v.normal));
+  std::vector<glm::vec3> light = light_.vertexLight(data);
+  for (glm::vec3& color : light) color *= glm::vec3(tint);
   parts_.push_back({surface, &base, std::make_unique<room::Mesh>(data, light)});
 }
 

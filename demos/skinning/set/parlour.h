@@ -80,7 +80,7 @@ class Parlour {
     glm::dvec3 center, size, tint;
   };
 
-  Candlelight light_;
+  room::LightBake light_;
   room::Texture damask_, wood_, boards_, velvet_, cloth_, brass_, wax_, leather_, pages_, cards_, chart_,
       glass_, china_, ceiling_, sky_, white_, ballBase_;
   room::MeshData timber_, metal_, candleWax_, china3d_, tableCloth_;

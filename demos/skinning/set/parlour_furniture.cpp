@@ -42,7 +42,7 @@ void Parlour::addTable() {
     v.uv = 0.5 + 0.5 * unrolled;
     if (v.position.y > kTableTop - 0.002) v.normal = {0, 1, 0};
   }
-  light_.add(Pillar{{0, 0.20, 0}, kTableRadius - 0.03, kTableTop - 0.215});
+  light_.add(room::UprightCylinder{{0, 0.20, 0}, kTableRadius - 0.03, kTableTop - 0.215});
   tableCloth_ = std::move(cloth);
 }
 
@@ -61,8 +61,8 @@ void Parlour::addPlinth() {
                                      {ring.x - 0.006, ring.y + 0.010}};
     metal_.append(room::lathe(band, 64, 12, {6, 0.3}), placed({0, kTableTop, 0}));
   }
-  light_.add(Pillar{{0, kTableTop, 0}, 0.10, kPlinthHeight - 0.01});
-  light_.add(Pillar{{0, kTableTop + kPlinthHeight, 0}, 0.035, 0.16});
+  light_.add(room::UprightCylinder{{0, kTableTop, 0}, 0.10, kPlinthHeight - 0.01});
+  light_.add(room::UprightCylinder{{0, kTableTop + kPlinthHeight, 0}, 0.035, 0.16});
 }
 
 void Parlour::addCandle(dvec3 foot, double stick, double wax) {
@@ -76,8 +76,8 @@ void Parlour::addCandle(dvec3 foot, double stick, double wax) {
       {0.0122, 0.0}, {0.0120, 0.5 * wax}, {0.0122, wax - 0.004}, {0.0100, wax}, {0.0, wax - 0.004}};
   candleWax_.append(room::lathe(candle, 20, 40), placed(foot + dvec3(0, stick - 0.004, 0)));
   candles_.push_back(foot + dvec3(0, stick + wax + 0.012, 0));
-  light_.add(Pillar{foot, 0.038, 0.014});
-  light_.add(Pillar{foot, 0.008, stick + wax - 0.03});
+  light_.add(room::UprightCylinder{foot, 0.038, 0.014});
+  light_.add(room::UprightCylinder{foot, 0.008, stick + wax - 0.03});
 }
 
 // Spine towards -x of `where`, lying.
@@ -102,7 +102,7 @@ void Parlour::addBooks() {
   books_ = {{placed({-0.50, kTableTop + 0.024, -0.10}, 0.35), {0.19, 0.048, 0.26}, {0.24, 0.32, 0.22}},
             {placed({-0.49, kTableTop + 0.066, -0.11}, 0.10), {0.17, 0.036, 0.24}, {0.50, 0.17, 0.13}},
             {placed({-0.50, kTableTop + 0.096, -0.09}, 0.62), {0.15, 0.024, 0.21}, {0.30, 0.24, 0.36}}};
-  light_.add(Pillar{{-0.50, kTableTop, -0.10}, 0.10, 0.10});
+  light_.add(room::UprightCylinder{{-0.50, kTableTop, -0.10}, 0.10, 0.10});
   addCandle({-0.51, kTableTop + 0.108, -0.10}, 0.055, 0.10);
 }
 
@@ -126,17 +126,16 @@ void Parlour::addCards() {
 void Parlour::addBall() {
   MeshData ball = room::sphere(kBallRadius, 48, 32), there;
   there.append(ball, placed(kBall));
-  std::vector<glm::vec3> light;
-  for (const room::Vertex& v : there.vertices)
-    light.emplace_back(1.6 * light_.halfLight(v.position, v.normal));
+  std::vector<glm::vec3> light = light_.vertexLight(there);
+  for (glm::vec3& color : light) color *= 1.6F;
   ball_ = std::make_unique<room::Mesh>(there, light);
   const dvec3 foot(kBall.x, kTableTop, kBall.z);
   const std::vector<dvec2> stand = {{0.060, 0.0},   {0.064, 0.004}, {0.056, 0.012},
                                     {0.028, 0.020}, {0.024, 0.028}, {0.046, 0.042},
                                     {0.060, 0.058}, {0.056, 0.060}, {0.030, 0.046}};
   metal_.append(room::lathe(stand, 40, 40, {3, 1}), placed(foot));
-  light_.add(Pillar{foot, 0.045, 0.03});
-  light_.add(Pillar{foot + dvec3(0, 0.06, 0), 0.06, 0.11});
+  light_.add(room::UprightCylinder{foot, 0.045, 0.03});
+  light_.add(room::UprightCylinder{foot + dvec3(0, 0.06, 0), 0.06, 0.11});
 }
 
 void Parlour::addTeacup() {
@@ -150,8 +149,8 @@ void Parlour::addTeacup() {
   china3d_.append(room::tube({{0.036, 0.046, 0}, {0.062, 0.046, 0}, {0.056, 0.022, 0}, {0.034, 0.026, 0}},
                              0.003, 0.008, 8, 2),
                   placed(foot, -0.7));
-  light_.add(Pillar{foot, 0.060, 0.012});
-  light_.add(Pillar{foot, 0.034, 0.05});
+  light_.add(room::UprightCylinder{foot, 0.060, 0.012});
+  light_.add(room::UprightCylinder{foot, 0.034, 0.05});
 }
 
 // Against the left wall: shelves of books.
@@ -199,7 +198,7 @@ void Parlour::addBookcase() {
       // The shelf above shades them.
       const double up = (v.position.y - book.center.y) / book.size.y;
       const double shade = 1 - 0.45 * glm::smoothstep(-0.1, 0.5, up);
-      colors.emplace_back(book.tint * shade * light_.halfLight(v.position, v.normal));
+      colors.emplace_back(glm::vec3(book.tint * shade) * light_.halfLight(v.position, v.normal));
     }
     bindings.append(there);
   }

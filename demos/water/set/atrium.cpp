@@ -64,8 +64,8 @@ dvec2 poolTexCoord(dvec2 unfolded) {
 }
 
 Atrium::Atrium() {
-  light_.setAmbient({0.17, 0.150, 0.135});
-  light_.setSun({kToSun, 0.02, {2.7, 2.05, 1.28}});
+  light_.addAmbient({0.17, 0.150, 0.135});
+  light_.add(room::Sun{kToSun, 0.02, {2.7, 2.05, 1.28}});
   makeMaterials();
   addColumns();
   addRim();
