@@ -44,7 +44,7 @@ NoiseTable::NoiseTable()
 
 double NoiseTable::at(double x, int row) const {
   constexpr int kWidth = kCells * kTexelsPerCell;
-  const double texel = (x / kCells - std::floor(x / kCells)) * kWidth - 0.5;
+  const double texel = room::fractionOf(x / kCells) * kWidth - 0.5;
   const double floor = std::floor(texel);
   const int left = static_cast<int>(floor + kWidth) % kWidth;
   const auto* values = static_cast<const float*>(image_.pixeladdr(0, row));
@@ -87,7 +87,7 @@ void Fire::evaluate(double time, double sizeScale, ParticleArrays& out) const {
     const double shortest = isFlame ? 0.45 : isSmoke ? 2.2 : 1.2;
     const double life = shortest * (1 + random(i, 0, kLife));
     const double lives = time / life + random(i, 0, kPhase);
-    const double age = lives - std::floor(lives);
+    const double age = room::fractionOf(lives);
     const int cycle = static_cast<int>(std::fmod(std::floor(lives), 65536.0));
     const Particle p = isFlame   ? flame(i, cycle, age, time, life)
                        : isSmoke ? smoke(i, cycle, age, time)

@@ -75,8 +75,7 @@ void Reflect::setup() {
   surroundings_.emplace(*gl_, kCubeSize);
   overlay_.emplace();
   playroom_.emplace();
-  const room::MeshData ball = room::sphere(kBallRadius, 72, 48);
-  ball_ = std::make_unique<room::Mesh>(ball, std::vector<glm::vec3>(ball.vertices.size(), glm::vec3(1)));
+  ball_ = std::make_unique<room::Mesh>(room::sphere(kBallRadius, 72, 48));
 }
 
 void Reflect::frame(const room::View& view, std::string_view stage) {

@@ -53,6 +53,9 @@ MeshData sphere(double radius, int columns, int rows);
 class Mesh {
  public:
   Mesh(const MeshData& data, const std::vector<glm::vec3>& colors);
+  // The same color everywhere.
+  explicit Mesh(const MeshData& data, const glm::vec3& color = glm::vec3(1))
+      : Mesh(data, std::vector<glm::vec3>(data.vertices.size(), color)) {}
   ~Mesh();
   Mesh(const Mesh&) = delete;
   Mesh& operator=(const Mesh&) = delete;

@@ -121,4 +121,8 @@ double smoothStep(double edge0, double edge1, double x) {
   return t * t * (3 - 2 * t);
 }
 
+double fractionOf(double x) {
+  return x - std::floor(x);
+}
+
 }  // namespace room

@@ -23,4 +23,7 @@ CellDistance cellNoise(double u, double v, int cellsX, int cellsY, std::uint32_t
 
 double smoothStep(double edge0, double edge1, double x);
 
+// What x has over the next lower whole number, in [0,1).
+double fractionOf(double x);
+
 }  // namespace room

@@ -80,6 +80,10 @@ Texture makeTexture(const Image& image, Filter filter, GLenum wrap, GLenum singl
   return texture;
 }
 
+Texture materialTexture(int size, const TexelFunction& texel, GLenum wrap) {
+  return makeTexture(bake(size, size, texel).color, Filter::Mipmapped, wrap);
+}
+
 Texture makeCubeTexture(const std::array<Image, 6>& faces, Filter filter) {
   Texture texture(GL_TEXTURE_CUBE_MAP_OES);
   texture.bind();

@@ -31,6 +31,9 @@ enum class Filter { Nearest, Linear, Mipmapped };
 // Sizes are powers of two. wrap: GL_REPEAT or GL_CLAMP_TO_EDGE.
 Texture makeTexture(const Image& image, Filter filter, GLenum wrap, GLenum singleChannel = GL_LUMINANCE);
 
+// The color of a procedural material, size x size texels with mip levels.
+Texture materialTexture(int size, const TexelFunction& texel, GLenum wrap = GL_REPEAT);
+
 // Six faces in the order +X -X +Y -Y +Z -Z (GL_OES_texture_cube_map).
 Texture makeCubeTexture(const std::array<Image, 6>& faces, Filter filter);
 

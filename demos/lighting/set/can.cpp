@@ -88,7 +88,7 @@ room::Texel canTexel(double u, double v) {
     for (double row : {0.712, 0.742}) {
       const double offset = row > 0.73 ? 0.5 : 0.0;
       const double x = u * 52 + offset;
-      const double dx = (x - std::floor(x) - 0.5) * circumference / 52;
+      const double dx = (room::fractionOf(x) - 0.5) * circumference / 52;
       const double d = std::hypot(dx, y - row);
       const double hole = 1 - room::smoothStep(0.0070, 0.0095, d);
       t.color = glm::mix(t.color, glm::dvec3(0.025), hole);

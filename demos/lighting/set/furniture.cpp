@@ -28,7 +28,7 @@ constexpr double kCell = 0.20;  // tessellation of the walls
 
 // The same outline with fewer polygons, for shadows.
 std::unique_ptr<room::Mesh> outlineOf(const MeshData& data) {
-  return std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size()));
+  return std::make_unique<room::Mesh>(data);
 }
 
 // A crumpled sheet: what many random cuts leave of a ball.

@@ -135,7 +135,7 @@ Part& Scene::add(const Material& material, room::MeshData data, const Options& o
 
 Part& Scene::addGlowing(room::MeshData data, glm::vec3 color) {
   Part& part = parts_.emplace_back();
-  part.mesh = std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size(), color));
+  part.mesh = std::make_unique<room::Mesh>(data, color);
   part.data = std::move(data);
   return part;
 }

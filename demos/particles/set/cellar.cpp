@@ -14,11 +14,6 @@ using glm::dvec3;
 
 constexpr double kFlagstoneExtent = 2.4;
 
-room::Texture material(int size, const room::TexelFunction& texel) {
-  const room::BakedTexels texels = room::bake(size, size, texel);
-  return room::makeTexture(texels.color, room::Filter::Mipmapped, GL_REPEAT);
-}
-
 // Worn stone slabs in rows of different breadth, each split at random.
 room::Texel flagstones(double u, double v) {
   constexpr int kRows = 5;
@@ -29,7 +24,7 @@ room::Texel flagstones(double u, double v) {
   const double shifted = u * kColumns + 0.8 * room::hash(row, 0, 661) + wobble;
   const int column = static_cast<int>(std::floor(shifted)) % kColumns;
   const double split = 0.40 + 0.35 * room::hash(column, row, 662);
-  dvec2 inCell(shifted - std::floor(shifted), y - std::floor(y));
+  dvec2 inCell(room::fractionOf(shifted), room::fractionOf(y));
   const bool second = inCell.x > split;
   const double left = second ? split : 0.0;
   const double right = second ? 1.0 : split;
@@ -72,12 +67,14 @@ Cellar::Cellar() : light_(firelightBake(kRoomMin, kRoomMax, kBrazier + dvec3(0, 
 }
 
 void Cellar::makeMaterials() {
-  brick_ = material(512, room::brick);
-  flagstones_ = material(512, flagstones);
-  plaster_ = material(256, sootyPlaster);
-  wood_ = material(256, room::wood);
-  iron_ = material(128, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.20, 0.19, 0.19)); });
-  glass_ = material(64, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.17, 0.34, 0.20)); });
+  brick_ = room::materialTexture(512, room::brick);
+  flagstones_ = room::materialTexture(512, flagstones);
+  plaster_ = room::materialTexture(256, sootyPlaster);
+  wood_ = room::materialTexture(256, room::wood);
+  iron_ = room::materialTexture(
+      128, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.20, 0.19, 0.19)); });
+  glass_ = room::materialTexture(
+      64, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.17, 0.34, 0.20)); });
 }
 
 void Cellar::addWalls() {
@@ -95,7 +92,7 @@ void Cellar::addWalls() {
 void Cellar::addWall(const room::Texture& base, double extent, dvec3 origin, dvec3 a, dvec3 b) {
   const room::MeshData data = room::rectangle(origin, a, b, 1.0, 1 / extent);
   Wall& wall = walls_.emplace_back();
-  wall.mesh = std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size(), glm::vec3(1)));
+  wall.mesh = std::make_unique<room::Mesh>(data);
   wall.base = &base;
   wall.normal = glm::normalize(glm::cross(a, b));
   const bool floor = wall.normal.y > 0.5;

@@ -78,10 +78,6 @@ MeshData wallPiece(double x0, double x1, const std::function<double(double)>& lo
   return mesh;
 }
 
-room::Texture opaque(int size, const room::TexelFunction& texel) {
-  return room::makeTexture(room::bake(size, size, texel).color, room::Filter::Mipmapped, GL_REPEAT);
-}
-
 room::Texel cloth(double u, double v, dvec3 color) {
   room::Texel t;
   t.color = color * (0.95 + 0.12 * room::fractalNoise(u, v, 6, 6, 4, 651) +
@@ -124,18 +120,21 @@ Chapel::Chapel() {
 }
 
 void Chapel::makeMaterials() {
-  ashlar_ = opaque(1024, ashlar);
-  flagstones_ = opaque(1024, flagstones);
-  wood_ = opaque(512, room::wood);
-  darkWood_ = opaque(512, [](double u, double v) {
+  ashlar_ = room::materialTexture(1024, ashlar);
+  flagstones_ = room::materialTexture(1024, flagstones);
+  wood_ = room::materialTexture(512, room::wood);
+  darkWood_ = room::materialTexture(512, [](double u, double v) {
     room::Texel t = room::wood(u, v);
     t.color *= dvec3(0.52, 0.47, 0.44);
     return t;
   });
-  brass_ = opaque(128, brass);
-  iron_ = opaque(256, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.13, 0.13, 0.14)); });
-  linen_ = opaque(256, [](double u, double v) { return cloth(u, v, dvec3(0.90, 0.87, 0.80)); });
-  velvet_ = opaque(256, [](double u, double v) { return cloth(u, v, dvec3(0.55, 0.08, 0.09)); });
+  brass_ = room::materialTexture(128, brass);
+  iron_ = room::materialTexture(
+      256, [](double u, double v) { return room::paintedMetal(u, v, dvec3(0.13, 0.13, 0.14)); });
+  linen_ =
+      room::materialTexture(256, [](double u, double v) { return cloth(u, v, dvec3(0.90, 0.87, 0.80)); });
+  velvet_ =
+      room::materialTexture(256, [](double u, double v) { return cloth(u, v, dvec3(0.55, 0.08, 0.09)); });
   for (const Lancet& lancet : kLancets) {
     GlazedLancet window{lancet, room::generate(256, 1024, 3, [&](double u, double v, float* out) {
                           const dvec3 color = stainedGlass(lancet, u, v);

@@ -13,6 +13,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using room::fractalNoise;
+using room::fractionOf;
 using room::hash;
 using room::smoothStep;
 
@@ -21,10 +22,6 @@ constexpr dvec3 kRuby(0.86, 0.09, 0.10);
 constexpr dvec3 kCobalt(0.12, 0.26, 0.88);
 constexpr dvec3 kGold(0.98, 0.74, 0.20);
 constexpr dvec3 kEmerald(0.12, 0.62, 0.34);
-
-double fractionOf(double x) {
-  return x - std::floor(x);
-}
 
 int indexOf(double x) {
   return static_cast<int>(std::floor(x));

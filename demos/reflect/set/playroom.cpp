@@ -18,6 +18,7 @@ using glm::dmat4;
 using glm::dvec2;
 using glm::dvec3;
 using room::fractalNoise;
+using room::fractionOf;
 using room::placed;
 using room::smoothStep;
 
@@ -26,10 +27,6 @@ constexpr double kRail = 0.86;       // height of the panelling
 constexpr dvec3 kLampCenter(2.02, 1.50, -2.02);
 constexpr dvec2 kWindowLow(-0.35, 1.18);
 constexpr dvec2 kWindowHigh(0.85, 2.18);
-
-double fractionOf(double x) {
-  return x - std::floor(x);
-}
 
 // Painted panelling below, paper with stars above.
 room::Texel wallpaperTexel(double u, double v) {
@@ -116,10 +113,6 @@ room::Texel duskTexel(double u, double v) {
   return t;
 }
 
-room::Texture material(int size, const room::TexelFunction& texel, GLenum wrap = GL_REPEAT) {
-  return room::makeTexture(room::bake(size, size, texel).color, room::Filter::Mipmapped, wrap);
-}
-
 }  // namespace
 
 Playroom::Playroom() {
@@ -133,18 +126,18 @@ Playroom::Playroom() {
 }
 
 void Playroom::makeTextures() {
-  wallpaper_ = material(512, wallpaperTexel);
-  boards_ = material(512, boardsTexel);
-  wood_ = material(256, room::wood);
-  paint_ = material(128, [](double u, double v) {
+  wallpaper_ = room::materialTexture(512, wallpaperTexel);
+  boards_ = room::materialTexture(512, boardsTexel);
+  wood_ = room::materialTexture(256, room::wood);
+  paint_ = room::materialTexture(128, [](double u, double v) {
     room::Texel t;
     t.color = dvec3(0.94) *
               (0.98 + 0.10 * fractalNoise(u, v, 4, 24, 4, 940) + 0.06 * fractalNoise(u, v, 6, 6, 3, 941));
     return t;
   });
-  rug_ = material(512, rugTexel);
-  picture_ = material(256, room::poster, GL_CLAMP_TO_EDGE);
-  dusk_ = material(256, duskTexel, GL_CLAMP_TO_EDGE);
+  rug_ = room::materialTexture(512, rugTexel);
+  picture_ = room::materialTexture(256, room::poster, GL_CLAMP_TO_EDGE);
+  dusk_ = room::materialTexture(256, duskTexel, GL_CLAMP_TO_EDGE);
 }
 
 // The lamp, the window, what light the walls throw back, and what stands in its way.

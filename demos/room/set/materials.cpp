@@ -13,9 +13,6 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 
-double fractionOf(double x) {
-  return x - std::floor(x);
-}
 double clamp01(double x) {
   return std::clamp(x, 0.0, 1.0);
 }

@@ -17,10 +17,6 @@ using glm::dvec3;
 using room::MeshData;
 using room::placed;
 
-room::Texture material(int size, const room::TexelFunction& texel, GLenum wrap = GL_REPEAT) {
-  return room::makeTexture(room::bake(size, size, texel).color, room::Filter::Mipmapped, wrap);
-}
-
 room::Texture solid(dvec3 color, double alpha) {
   return room::makeTexture(room::generate(4, 4, 4,
                                           [=](double, double, float* out) {
@@ -59,32 +55,32 @@ Parlour::Parlour() : light_(candlelightBake(kRoomMin, kRoomMax)) {
 }
 
 void Parlour::makeMaterials() {
-  damask_ = material(512, damask);
-  wood_ = material(256, [](double u, double v) {
+  damask_ = room::materialTexture(512, damask);
+  wood_ = room::materialTexture(256, [](double u, double v) {
     room::Texel t = room::wood(u, v);
     t.color *= dvec3(0.62, 0.52, 0.46);
     return t;
   });
-  boards_ = material(256, floorboards);
-  velvet_ = material(256, velvet);
-  cloth_ = material(1024, zodiacCloth, GL_CLAMP_TO_EDGE);
-  brass_ = material(128, brass);
-  wax_ = material(64, [](double u, double v) {
+  boards_ = room::materialTexture(256, floorboards);
+  velvet_ = room::materialTexture(256, velvet);
+  cloth_ = room::materialTexture(1024, zodiacCloth, GL_CLAMP_TO_EDGE);
+  brass_ = room::materialTexture(128, brass);
+  wax_ = room::materialTexture(64, [](double u, double v) {
     room::Texel t = room::paper(u, v);
     t.color = dvec3(0.90, 0.82, 0.66);
     return t;
   });
-  leather_ = material(128, leather);
-  pages_ = material(64, pages);
-  cards_ = material(512, cards, GL_CLAMP_TO_EDGE);
-  chart_ = material(512, starChart, GL_CLAMP_TO_EDGE);
-  china_ = material(128, china);
-  ceiling_ = material(256, [](double u, double v) {
+  leather_ = room::materialTexture(128, leather);
+  pages_ = room::materialTexture(64, pages);
+  cards_ = room::materialTexture(512, cards, GL_CLAMP_TO_EDGE);
+  chart_ = room::materialTexture(512, starChart, GL_CLAMP_TO_EDGE);
+  china_ = room::materialTexture(128, china);
+  ceiling_ = room::materialTexture(256, [](double u, double v) {
     room::Texel t = room::plaster(u, v);
     t.color *= dvec3(0.55, 0.47, 0.42);
     return t;
   });
-  sky_ = material(256, nightSky, GL_CLAMP_TO_EDGE);
+  sky_ = room::materialTexture(256, nightSky, GL_CLAMP_TO_EDGE);
   ballBase_ = solid({0.30, 0.38, 0.55}, 1.0);
 }
 

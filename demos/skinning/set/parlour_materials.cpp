@@ -13,11 +13,8 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using room::fractionOf;
 using room::smoothStep;
-
-double fractionOf(double x) {
-  return x - std::floor(x);
-}
 
 // 1 inside a shape whose edge is where the distance is 0.
 double inside(double distance, double soft) {

@@ -23,10 +23,6 @@ constexpr dvec3 kToSun(-0.36, 0.80, 0.92);
 // The half side of the unfolded pool.
 constexpr double kUnfolded = kPoolHalf.x + kPoolDepth - kWaterLevel;
 
-room::Texture material(int size, const room::TexelFunction& texel) {
-  return room::makeTexture(room::bake(size, size, texel).color, room::Filter::Mipmapped, GL_REPEAT);
-}
-
 struct Rectangle {
   dvec2 low;
   dvec2 high;
@@ -101,26 +97,27 @@ void Atrium::makeMaterials() {
     out[3] = static_cast<float>(puddle(u, v));
   });
   slabs_ = room::makeTexture(floor, room::Filter::Mipmapped, GL_REPEAT);
-  marble_ = material(256, marble);
-  white_ = material(256, [](double u, double v) { return stucco(u, v, dvec3(0.84, 0.79, 0.68)); });
-  red_ = material(256, [](double u, double v) { return stucco(u, v, dvec3(0.55, 0.15, 0.10)); });
-  wood_ = material(256, [](double u, double v) {
+  marble_ = room::materialTexture(256, marble);
+  white_ =
+      room::materialTexture(256, [](double u, double v) { return stucco(u, v, dvec3(0.84, 0.79, 0.68)); });
+  red_ = room::materialTexture(256, [](double u, double v) { return stucco(u, v, dvec3(0.55, 0.15, 0.10)); });
+  wood_ = room::materialTexture(256, [](double u, double v) {
     room::Texel t = room::wood(u, v);
     t.color *= dvec3(0.62, 0.55, 0.48);
     return t;
   });
-  terracotta_ = material(128, terracotta);
-  bronze_ = material(128, bronze);
-  leaf_ = material(128, leafTexel);
-  petal_ = material(64, petalTexel);
-  sky_ = material(256, skyTexel);
-  cloth_ = material(64, [](double u, double v) { return stucco(u, v, dvec3(0.20, 0.30, 0.52)); });
+  terracotta_ = room::materialTexture(128, terracotta);
+  bronze_ = room::materialTexture(128, bronze);
+  leaf_ = room::materialTexture(128, leafTexel);
+  petal_ = room::materialTexture(64, petalTexel);
+  sky_ = room::materialTexture(256, skyTexel);
+  cloth_ =
+      room::materialTexture(64, [](double u, double v) { return stucco(u, v, dvec3(0.20, 0.30, 0.52)); });
 }
 
 Surface& Atrium::addSurface(std::vector<Surface>& to, const room::Texture& base, MeshData data) {
   Surface& surface = to.emplace_back();
-  surface.mesh =
-      std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size(), glm::vec3(1)));
+  surface.mesh = std::make_unique<room::Mesh>(data);
   surface.data = std::move(data);
   surface.base = &base;
   return surface;
@@ -220,7 +217,7 @@ void Atrium::addPool() {
   piece({{h.x, -h.y}, {kUnfolded, h.y}});
   piece({{-h.x, -kUnfolded}, {h.x, -h.y}});
   piece({{-h.x, h.y}, {h.x, kUnfolded}});
-  pool_ = std::make_unique<room::Mesh>(mesh, std::vector<glm::vec3>(mesh.vertices.size(), glm::vec3(1)));
+  pool_ = std::make_unique<room::Mesh>(mesh);
 
   // The light, from a coarse picture of it.
   constexpr int kCoarse = 128;
@@ -289,9 +286,7 @@ void Atrium::finish(const room::Texture& base, const MeshData& data, bool twoSid
 }
 
 void Atrium::addGlowing(const room::Texture& base, const MeshData& data, glm::vec3 color) {
-  furniture_.push_back(
-      {std::make_unique<room::Mesh>(data, std::vector<glm::vec3>(data.vertices.size(), color)), &base, 1,
-       false});
+  furniture_.push_back({std::make_unique<room::Mesh>(data, color), &base, 1, false});
 }
 
 }  // namespace water

@@ -14,6 +14,7 @@ namespace {
 using glm::dvec2;
 using glm::dvec3;
 using room::fractalNoise;
+using room::fractionOf;
 using room::hash;
 using room::smoothStep;
 
@@ -22,10 +23,6 @@ constexpr dvec3 kBlack(0.085, 0.075, 0.075);
 constexpr dvec3 kOchre(0.80, 0.56, 0.20);
 constexpr dvec3 kCream(0.86, 0.79, 0.63);
 constexpr dvec3 kGreen(0.16, 0.30, 0.22);
-
-double fractionOf(double x) {
-  return x - std::floor(x);
-}
 
 // 1 on a line of the given half width about 0, softened over 4 mm.
 double line(double distance, double half) {
