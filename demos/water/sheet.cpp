@@ -3,49 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "set/atrium.h"
+#include "reflection.h"
+#include "refraction.h"
 #include "set/measures.h"
 
 namespace water {
-namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-
-constexpr double kAirToWater = 1 / 1.33;
-constexpr dvec3 kAbsorption(0.55, 0.16, 0.12);  // a metre
-
-// Where a ray from a point in the water meets the bottom or a wall.
-struct PoolHit {
-  dvec2 unfolded;
-  double length;
-};
-PoolHit hitPool(const dvec3& from, const dvec3& direction) {
-  const dvec2 ground(from.x, from.z);
-  const dvec2 along(direction.x, direction.z);
-  double t = (kPoolBottom - from.y) / std::min(direction.y, -1e-3);
-  int wall = -1;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (std::abs(along[axis]) < 1e-9) continue;
-    const double toWall = (std::copysign(kPoolHalf[axis], along[axis]) - ground[axis]) / along[axis];
-    if (toWall < t) {
-      t = std::max(toWall, 0.0);
-      wall = axis;
-    }
-  }
-  dvec2 unfolded = glm::clamp(ground + along * t, -kPoolHalf, kPoolHalf);
-  // A wall is folded down about its foot.
-  if (wall >= 0) unfolded[wall] += std::copysign(from.y + direction.y * t - kPoolBottom, along[wall]);
-  return {unfolded, t};
-}
-
-// Schlick's approximation of Fresnel's formula, with a little more than nature's share at right angles.
-double reflected(double cosine) {
-  const double grazing = 1 - std::clamp(cosine, 0.0, 1.0);
-  return 0.09 + 0.91 * std::pow(grazing, 3.2);
-}
-
-}  // namespace
 
 dvec2 latticePoint(int column, int row) {
   return (dvec2(column, row) / double{kLattice - 1} * 2.0 - 1.0) * kPoolHalf;
@@ -79,12 +44,12 @@ void Sheet::update(const Heights& heights, const dvec3& eye) {
       const dvec3 local(place.x, kWaterLevel + heights[latticeIndex(column, row)], place.y);
       const dvec3 position = local + dvec3(kPoolCenter.x, 0, kPoolCenter.y);
       const dvec3 view = glm::normalize(position - eye);
-      const PoolHit hit = hitPool(local, glm::refract(view, normal, kAirToWater));
+      const Refracted bent = refracted(local, normal, view);
       Vertex& v = vertices_[latticeIndex(column, row)];
       v.position = position;
       v.normal = normal;
-      v.uv = poolTexCoord(hit.unfolded);
-      v.color = glm::vec4(glm::exp(-kAbsorption * hit.length), reflected(-glm::dot(view, normal)));
+      v.uv = bent.texCoord;
+      v.color = glm::vec4(bent.left, reflectedShare(-glm::dot(view, normal)));
     }
   }
 }

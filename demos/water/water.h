@@ -1,4 +1,5 @@
-// The Water demo: a pool in an atrium and puddles about it, after the Imageon "Rooms" demos.
+// The Water demo: a pool in an atrium and puddles about it, after section 3 of ATI's "Rooms" paper; README.md
+// tells which file does what.
 //
 //   1. Room: base texture * lightmap (second texture unit); furniture has its light in its vertices.
 //   2. Refraction: the lattice of the surface, moved every frame, with the pool's picture on it; texture
@@ -17,6 +18,8 @@
 #include "room/demo.h"
 
 namespace water {
+
+inline constexpr int kUnits = 3;  // texture units that the passes take
 
 std::unique_ptr<room::Demo> makeWater();
 

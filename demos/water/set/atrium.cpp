@@ -7,6 +7,7 @@
 #include "painted_stone.h"
 #include "room/noise.h"
 #include "room/set/materials.h"
+#include "water/refraction.h"
 
 namespace water {
 namespace {
@@ -19,9 +20,6 @@ constexpr double kCell = 0.35;        // tessellation of the floor, metres
 constexpr double kSkyHeight = 5.2;    // of the sky's picture
 constexpr double kOpeningRim = 0.35;  // thickness of the roof
 constexpr dvec3 kToSun(-0.36, 0.80, 0.92);
-
-// The half side of the unfolded pool.
-constexpr double kUnfolded = kPoolHalf.x + kPoolDepth - kWaterLevel;
 
 struct Rectangle {
   dvec2 low;
@@ -54,10 +52,6 @@ PoolPoint poolPoint(dvec2 unfolded) {
 }
 
 }  // namespace
-
-dvec2 poolTexCoord(dvec2 unfolded) {
-  return unfolded / (2 * kUnfolded) + 0.5;
-}
 
 Atrium::Atrium() {
   light_.addAmbient({0.17, 0.150, 0.135});
@@ -213,15 +207,15 @@ void Atrium::addPool() {
   };
   const dvec2 h = kPoolHalf;
   piece({-h, h});
-  piece({{-kUnfolded, -h.y}, {-h.x, h.y}});
-  piece({{h.x, -h.y}, {kUnfolded, h.y}});
-  piece({{-h.x, -kUnfolded}, {h.x, -h.y}});
-  piece({{-h.x, h.y}, {h.x, kUnfolded}});
+  piece({{-kUnfoldedPool, -h.y}, {-h.x, h.y}});
+  piece({{h.x, -h.y}, {kUnfoldedPool, h.y}});
+  piece({{-h.x, -kUnfoldedPool}, {h.x, -h.y}});
+  piece({{-h.x, h.y}, {h.x, kUnfoldedPool}});
   pool_ = std::make_unique<room::Mesh>(mesh);
 
   // The light, from a coarse picture of it.
   constexpr int kCoarse = 128;
-  const auto unfoldedAt = [](double u, double v) { return (dvec2(u, v) - 0.5) * (2 * kUnfolded); };
+  const auto unfoldedAt = [](double u, double v) { return (dvec2(u, v) - 0.5) * (2 * kUnfoldedPool); };
   const room::Image lit = room::generate(kCoarse, kCoarse, 3, [&](double u, double v, float* out) {
     const PoolPoint p = poolPoint(unfoldedAt(u, v));
     const glm::vec3 half = light_.halfLight(p.position, p.normal);

@@ -89,7 +89,4 @@ class Atrium {
   std::unique_ptr<room::Mesh> pool_, shaft_, lilyLeaves_, lilyPetals_;
 };
 
-// Positions in the unfolded pool (metres from its middle) to texture coordinates.
-glm::dvec2 poolTexCoord(glm::dvec2 unfolded);
-
 }  // namespace water

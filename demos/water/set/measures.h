@@ -15,6 +15,8 @@ inline constexpr glm::dvec2 kPoolHalf{1.9, 1.9};
 inline constexpr double kWaterLevel = -0.09;
 inline constexpr double kPoolBottom = -0.74;
 inline constexpr double kPoolDepth = kWaterLevel - kPoolBottom;
+// The half side of the pool with its walls folded down.
+inline constexpr double kUnfoldedPool = kPoolHalf.x + kPoolDepth - kWaterLevel;
 
 inline constexpr double kFloorExtent = 4.2;  // that one repeat of the floor's base map covers
 inline constexpr double kColumnX = 2.45;
