@@ -1,4 +1,5 @@
-// The Lighting demo: Final = Bump * Spot + Specular + Shadows, after the Imageon "Rooms" demos.
+// The Lighting demo: Final = Bump * Spot + Specular + Shadows, after section 2 of ATI's "Rooms" paper;
+// README.md tells which file does what.
 //
 // For each light in turn, so that lights add up rightly:
 //   1. Mask: destination alpha = attenuation * projected falloff * back-projection ramp     (2 texture units)
@@ -13,6 +14,12 @@
 #include "room/demo.h"
 
 namespace lighting {
+
+inline constexpr int kUnits = 3;  // texture units that the passes take
+
+// What every pass starts from: room::resetPasses(), color written but alpha not, depth tested but not
+// written.
+void beginPass();
 
 std::unique_ptr<room::Demo> makeLighting();
 

@@ -121,6 +121,10 @@ double smoothStep(double edge0, double edge1, double x) {
   return t * t * (3 - 2 * t);
 }
 
+double bell(double x, double middle, double width) {
+  return std::exp(-((x - middle) / width) * ((x - middle) / width));
+}
+
 double fractionOf(double x) {
   return x - std::floor(x);
 }

@@ -23,6 +23,9 @@ CellDistance cellNoise(double u, double v, int cellsX, int cellsY, std::uint32_t
 
 double smoothStep(double edge0, double edge1, double x);
 
+// 1 at the middle, falling off on both sides: exp(-((x - middle) / width)^2).
+double bell(double x, double middle, double width);
+
 // What x has over the next lower whole number, in [0,1).
 double fractionOf(double x);
 

@@ -15,10 +15,6 @@ constexpr int kFlutes = 26;
 constexpr double kWallTop = 0.775;
 constexpr double kSheet = 0.012;
 
-double bump(double y, double at, double width) {
-  return std::exp(-((y - at) / width) * ((y - at) / width));
-}
-
 // 1 where the sheet is pressed into vertical flutes.
 double fluted(double y) {
   const double lower = room::smoothStep(0.09, 0.12, y) * (1 - room::smoothStep(0.33, 0.36, y));
@@ -55,7 +51,8 @@ double heightOf(const room::SurfaceFunction& surface, double v) {
 
 double canRadius(double y) {
   const double taper = 0.262 + 0.068 * y / kWallTop;
-  return taper + 0.010 * (bump(y, 0.04, 0.014) + bump(y, 0.39, 0.016) + 0.8 * bump(y, 0.67, 0.013));
+  return taper +
+         0.010 * (room::bell(y, 0.04, 0.014) + room::bell(y, 0.39, 0.016) + 0.8 * room::bell(y, 0.67, 0.013));
 }
 
 room::SurfaceFunction canSurface() {
@@ -109,7 +106,7 @@ room::SurfaceFunction lidSurface() {
   for (int i = 1; i <= 40; ++i) {
     const double r = 0.343 * (1 - i / 40.0);
     const double dome = 0.055 + 0.048 * (1 - (r / 0.343) * (r / 0.343));
-    profile.emplace_back(r, dome + 0.007 * (bump(r, 0.27, 0.012) + bump(r, 0.16, 0.012)));
+    profile.emplace_back(r, dome + 0.007 * (room::bell(r, 0.27, 0.012) + room::bell(r, 0.16, 0.012)));
   }
   return room::latheFunction(profile);
 }
@@ -119,7 +116,7 @@ room::Texel lidTexel(double u, double v) {
   const bool below = v < 0.42;
   const double spokes = std::cos(u * 8 * glm::two_pi<double>());
   t.height += 0.010 * room::fractalNoise(u, v, 5, 4, 3, 211) +
-              0.005 * room::smoothStep(0.3, 0.8, spokes) * bump(v, 0.66, 0.05);
+              0.005 * room::smoothStep(0.3, 0.8, spokes) * room::bell(v, 0.66, 0.05);
   if (below) {
     t.color *= 0.5;
     t.gloss *= 0.3;
