@@ -15,7 +15,6 @@ using glm::dvec4;
 
 constexpr double kEmitterRadius = 0.27;  // metres
 constexpr int kUsualCount = 5000;        // what the colors are meant for
-constexpr int kTexelsPerCell = 8;
 
 // Of every 100 particles; the rest are flames.
 constexpr int kSmokeShare = 7;
@@ -35,21 +34,6 @@ double clampedRandom(int index, int cycle, Purpose purpose, double low, double h
 }
 
 }  // namespace
-
-NoiseTable::NoiseTable()
-    : image_(room::generate(kCells * kTexelsPerCell, kRows, 1, [](double u, double v, float* out) {
-        const int row = static_cast<int>(v * kRows);
-        *out = static_cast<float>(1.7 * room::noise(u * kCells, row + 0.5, kCells, kRows, 640));
-      })) {}
-
-double NoiseTable::at(double x, int row) const {
-  constexpr int kWidth = kCells * kTexelsPerCell;
-  const double texel = room::fractionOf(x / kCells) * kWidth - 0.5;
-  const double floor = std::floor(texel);
-  const int left = static_cast<int>(floor + kWidth) % kWidth;
-  const auto* values = static_cast<const float*>(image_.pixeladdr(0, row));
-  return glm::mix<double>(values[left], values[(left + 1) % kWidth], texel - floor);
-}
 
 void ParticleArrays::resize(std::size_t count) {
   positions.resize(count);

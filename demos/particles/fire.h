@@ -1,32 +1,14 @@
-// The fire: where each particle is, how large and of what color, as closed forms of the time.
+// The particle system, section 6.1 of the paper: where each particle is, how large and of what color, as closed
+// forms of the time.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "room/image.h"
+#include "flicker.h"
 
 namespace particles {
-
-// Smooth noise in [-1,1] looked up in a small image: its rows are independent and repeat after kCells.
-class NoiseTable {
- public:
-  static constexpr int kRows = 8;
-  static constexpr int kCells = 64;
-  NoiseTable();
-  // x in cells, any finite number.
-  double at(double x, int row) const;
-
- private:
-  room::Image image_;
-};
-
-// What the room sees of the fire.
-struct Flicker {
-  double strength;  // [0,1]
-  glm::dvec3 lean;  // where the flames lean to, at most about 1
-};
 
 // The arrays that GL reads, one entry a particle.
 struct ParticleArrays {

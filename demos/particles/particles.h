@@ -1,4 +1,5 @@
-// The Particles demo: a fire in a brazier, after the Imageon "Rooms" demos.
+// The Particles demo: a fire in a brazier, after section 6 of ATI's "Rooms" paper; README.md
+// tells which file does what.
 //
 //   1. Room: base texture * lightmap (second texture unit) * flicker; furniture has its light in its
 //   vertices.
@@ -12,6 +13,8 @@
 #include "room/demo.h"
 
 namespace particles {
+
+inline constexpr int kUnits = 2;  // texture units that the passes take
 
 std::unique_ptr<room::Demo> makeParticles();
 
