@@ -2,7 +2,8 @@
 
 #include <glm/glm.hpp>
 
-#include "room/transform.h"
+#include "postprocessing.h"
+#include "room/passes.h"
 
 namespace postprocessing {
 namespace {
@@ -28,8 +29,9 @@ void addBlurred(const room::RenderTarget& source, double texels, double weight) 
   for (const glm::dvec2& tap : kTaps) drawQuad(source, tap * (texels / source.size()));
 }
 
-// Quads in normalized device coordinates, one texture, everything else off.
+// Quads in normalized device coordinates, one texture times the current color, everything else off.
 void beginQuads() {
+  room::resetPasses(kUnits);
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
   glMatrixMode(GL_MODELVIEW);
@@ -38,11 +40,8 @@ void beginQuads() {
   glDisable(GL_CULL_FACE);
   glActiveTexture(GL_TEXTURE0);
   glEnable(GL_TEXTURE_2D);
-  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_MODULATE);
   glClientActiveTexture(GL_TEXTURE0);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
-  glEnableClientState(GL_VERTEX_ARRAY);
-  glDisableClientState(GL_COLOR_ARRAY);
 }
 
 }  // namespace
@@ -79,10 +78,17 @@ void Bloom::render(const std::function<void()>& drawMask) {
     addBlurred(reductions_[i], 0.5, kReductions[i].weight);
   }
   glare_.unbind();
-  glDisable(GL_BLEND);
 }
 
-void drawFullScreen(const room::RenderTarget& picture) {
+void Bloom::addGlare(const glm::dvec3& color) const {
+  beginQuads();
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_COLOR);
+  room::setColor(color);
+  drawQuad(glare_, glm::dvec2(0));
+}
+
+void showPicture(const room::RenderTarget& picture) {
   beginQuads();
   drawQuad(picture, glm::dvec2(0));
 }

@@ -1,4 +1,5 @@
-// The glare of a mask: reduced four times, and the reductions added up with weights.
+// Light bloom, section 4.1 of the paper: a mask of what shines is reduced four times, the reductions are added
+// up with weights, and that glare is blended with the scene.
 #pragma once
 
 #include <array>
@@ -23,6 +24,8 @@ class Bloom {
 
   // drawMask draws white and black into a cleared (black) target with depth.
   void render(const std::function<void()>& drawMask);
+  // color + glare * (1 - color), over the whole viewport.
+  void addGlare(const glm::dvec3& color) const;
 
   const room::RenderTarget& mask() const { return mask_; }
   const room::RenderTarget& reduction(std::size_t i) const { return reductions_.at(i); }
@@ -34,7 +37,7 @@ class Bloom {
   room::RenderTarget glare_;
 };
 
-// A quad over the whole viewport with the target's picture, times the current color.
-void drawFullScreen(const room::RenderTarget& picture);
+// The target's picture over the whole viewport.
+void showPicture(const room::RenderTarget& picture);
 
 }  // namespace postprocessing

@@ -12,7 +12,7 @@
 namespace postprocessing {
 
 // Vertex colors and the sun's texture hold light over this.
-inline constexpr double kLightScale = 2.0;
+inline constexpr float kLightScale = 2;
 
 enum class Surface {
   Solid,  // textured, lit at its vertices
