@@ -1,5 +1,5 @@
-// The particle system, section 6.1 of the paper: where each particle is, how large and of what color, as closed
-// forms of the time.
+// The particle system, section 6.1 of the paper: where each particle is, how large and of what color, as
+// closed forms of the time.
 #pragma once
 
 #include <array>

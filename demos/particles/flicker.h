@@ -1,5 +1,5 @@
-// The light of the fire, which flickers, section 6.3 of the paper: lightmaps and baked light times smooth noise out of
-// a table.
+// The light of the fire, which flickers, section 6.3 of the paper: lightmaps and baked light times smooth
+// noise out of a table.
 #pragma once
 
 #include "room/image.h"

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kVgaHeight = 480;
 
-// Whether sizes from the array are attenuated, as OES_point_size_array wants it. Draws a point of 16 pixels, less
-// half, into the corner of the surface.
+// Whether sizes from the array are attenuated, as OES_point_size_array wants it. Draws a point of 16 pixels,
+// less half, into the corner of the surface.
 bool attenuatesArray() {
   constexpr GLsizei kSide = 16;
   constexpr std::array<GLfloat, 2> kMiddle = {0, 0};
@@ -67,7 +67,8 @@ std::array<GLfloat, 2> pointSizeRange() {
 Points::Points() : sizeRange_(pointSizeRange()) {
   if (!room::hasExtension("GL_OES_point_sprite") || !room::hasExtension("GL_OES_point_size_array")) {
     throw std::runtime_error(
-        "the fire needs GL_OES_point_sprite and GL_OES_point_size_array, which this implementation does not have; "
+        "the fire needs GL_OES_point_sprite and GL_OES_point_size_array, which this implementation does not "
+        "have; "
         "--quads does without");
   }
   attenuatesArray_ = attenuatesArray();

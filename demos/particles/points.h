@@ -1,5 +1,5 @@
-// Point sprites that shrink with distance, section 6.2 of the paper: sizes come from an array and are attenuated by
-// glPointParameter.
+// Point sprites that shrink with distance, section 6.2 of the paper: sizes come from an array and are
+// attenuated by glPointParameter.
 #pragma once
 
 #include <GLES/gl.h>
@@ -22,13 +22,14 @@ struct Attenuation {
 // Of points that are meant for a VGA screen.
 Attenuation attenuationFor(const room::View& view);
 
-// The attenuation makes points smaller where the screen is larger. The sizes in the array make up for that, so that
-// the fire, where it stands, covers the same part of any screen.
+// The attenuation makes points smaller where the screen is larger. The sizes in the array make up for that,
+// so that the fire, where it stands, covers the same part of any screen.
 double sizeScaleFor(const room::View& view, double distance);
 
 class Points {
  public:
-  // Draws into the corner of the surface. Throws std::runtime_error without point sprites or point size arrays.
+  // Draws into the corner of the surface. Throws std::runtime_error without point sprites or point size
+  // arrays.
   Points();
   // May change the sizes.
   void draw(ParticleArrays& particles, const Attenuation& attenuation, const glm::dmat4& view) const;

@@ -1,4 +1,5 @@
-// The particles as screen-aligned quads that the program makes, section 6.2 of the paper: what point sprites save.
+// The particles as screen-aligned quads that the program makes, section 6.2 of the paper: what point sprites
+// save.
 #pragma once
 
 #include "points.h"

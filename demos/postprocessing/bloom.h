@@ -1,5 +1,5 @@
-// Light bloom, section 4.1 of the paper: a mask of what shines is reduced four times, the reductions are added
-// up with weights, and that glare is blended with the scene.
+// Light bloom, section 4.1 of the paper: a mask of what shines is reduced four times, the reductions are
+// added up with weights, and that glare is blended with the scene.
 #pragma once
 
 #include <array>

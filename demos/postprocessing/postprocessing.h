@@ -1,5 +1,5 @@
-// The Postprocessing demo: light bloom, after section 4 of ATI's "Rooms" paper; README.md tells which file does
-// what. The glare of a bright window spreads over its surroundings, and whatever comes between cuts it.
+// The Postprocessing demo: light bloom, after section 4 of ATI's "Rooms" paper; README.md tells which file
+// does what. The glare of a bright window spreads over its surroundings, and whatever comes between cuts it.
 //
 //   1. Mask: the glass white, all that can stand before it black                (256x256 framebuffer object)
 //   2. Reductions: the mask at 128, 64, 32 and 16, each from the one before     (linear filtering, 4 taps)

@@ -1,5 +1,6 @@
-// The ball's surroundings, section 5.1 of the paper: six faces of a cube map, drawn every frame from the middle of
-// the ball, of things with fewer polygons, and only of those whose bounding boxes reach into a face's view.
+// The ball's surroundings, section 5.1 of the paper: six faces of a cube map, drawn every frame from the
+// middle of the ball, of things with fewer polygons, and only of those whose bounding boxes reach into a
+// face's view.
 #pragma once
 
 #include <array>
@@ -29,7 +30,8 @@ class DynamicCubemap {
   std::array<int, 6> culled_{};
 };
 
-// Draws what a face sees, 0 to 5 for +X -X +Y -Y +Z -Z, into the viewport; returns how many things it does not.
+// Draws what a face sees, 0 to 5 for +X -X +Y -Y +Z -Z, into the viewport; returns how many things it does
+// not.
 int drawFace(const Playroom& playroom, int face, double time);
 
 }  // namespace reflect

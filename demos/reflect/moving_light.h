@@ -1,5 +1,5 @@
-// What lights the train and the ball, section 5.1 of the paper: a directional GL light that goes around the room,
-// and materials that take their color from the vertices.
+// What lights the train and the ball, section 5.1 of the paper: a directional GL light that goes around the
+// room, and materials that take their color from the vertices.
 #pragma once
 
 #include "room/camera.h"

@@ -1,5 +1,5 @@
-// The Reflect demo: a shining ball in the middle of a playroom, and a train around it, after section 5 of ATI's
-// "Rooms" paper; README.md tells which file does what.
+// The Reflect demo: a shining ball in the middle of a playroom, and a train around it, after section 5 of
+// ATI's "Rooms" paper; README.md tells which file does what.
 //
 //   1. Six faces of a cube map, 256x256 each, every frame: the room from the middle of the ball, its things
 //      drawn with fewer polygons, and only those whose bounding boxes reach into the face's view.

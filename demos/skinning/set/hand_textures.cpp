@@ -7,7 +7,6 @@
 
 #include "hand.h"
 #include "room/noise.h"
-#include "room/texture.h"
 
 namespace skinning {
 namespace {
@@ -16,7 +15,6 @@ using glm::dvec2;
 using glm::dvec3;
 
 constexpr int kBaseWidth = 1024, kBaseHeight = 1024;
-constexpr int kFaceSize = 128;
 
 // ---- Drawing on the palm: distances in millimetres
 
@@ -193,37 +191,6 @@ room::Image handBase() {
     for (int i = 0; i < 3; ++i) out[i] = static_cast<float>(glm::clamp(color[i], 0.0, 1.0));
     out[3] = static_cast<float>(glm::clamp(gloss, 0.0, 1.0));
   });
-}
-
-std::array<room::Image, 6> highlightFaces(const std::vector<Highlight>& lights, const BrightWindow& window) {
-  std::array<room::Image, 6> faces;
-  const dvec3 plane = glm::cross(window.across, window.up);
-  for (int face = 0; face < 6; ++face) {
-    faces[static_cast<std::size_t>(face)] =
-        room::generate(kFaceSize, kFaceSize, 2, [&, face](double s, double t, float* out) {
-          const dvec3 d = room::cubeDirection(face, s, t);
-          // The room itself: a little above, less below.
-          double light = 0.05 + 0.05 * d.y;
-          for (const Highlight& h : lights) {
-            const double angle = std::acos(glm::clamp(glm::dot(d, h.direction), -1.0, 1.0));
-            light += h.strength * (1 - room::smoothStep(0.7 * h.radius, 1.35 * h.radius, angle));
-            light += 0.16 * h.strength * std::exp(-angle * angle / (9 * h.radius * h.radius));
-          }
-          const double distance = glm::dot(window.corner, plane) / glm::dot(d, plane);
-          if (distance > 0) {
-            const dvec3 hit = d * distance - window.corner;
-            const double x = glm::dot(hit, window.across) / glm::dot(window.across, window.across);
-            const double y = glm::dot(hit, window.up) / glm::dot(window.up, window.up);
-            const auto inside = [](double at) {
-              return room::smoothStep(-0.03, 0.04, at) * (1 - room::smoothStep(0.96, 1.03, at));
-            };
-            const auto bar = [](double at) { return room::smoothStep(0.02, 0.06, std::abs(at - 0.5)); };
-            light += window.strength * inside(x) * inside(y) * bar(x) * bar(y);
-          }
-          out[0] = out[1] = static_cast<float>(glm::clamp(light, 0.0, 1.0));
-        });
-  }
-  return faces;
 }
 
 }  // namespace skinning
