@@ -2,10 +2,9 @@
 // does what.
 //
 //   1. Room: base texture * lightmap (second texture unit) * flicker; furniture has its light in its
-//   vertices.
-//   2. Fire: one array of point sprites whose sizes are written anew every frame and shrink with distance;
-//   the
-//      same as screen-aligned quads where Settings::quads says so.
+//      vertices.
+//   2. Fire: one array of point sprites whose sizes are written anew every frame and shrink with
+//      distance; the same as screen-aligned quads where Settings::quads says so.
 #pragma once
 
 #include <memory>
