@@ -191,6 +191,16 @@ void Playroom::add(const room::Texture& texture, const Maker& maker) {
   things_.push_back(make(texture, maker));
 }
 
+void Playroom::addAt(const room::Texture& texture, Build build, const dmat4& where) {
+  add(texture, [=](const Detail& detail) {
+    const Painted piece = build(detail);
+    Painted p;
+    p.mesh.append(piece.mesh, where);
+    p.paint = piece.paint;
+    return p;
+  });
+}
+
 void Playroom::addShell() {
   const dvec3 low = kRoomMin;
   const dvec3 size = kRoomMax - kRoomMin;
@@ -287,19 +297,10 @@ void Playroom::addWindow() {
 }
 
 void Playroom::addFurniture() {
-  const auto at = [this](const room::Texture& texture, Build build, const dmat4& where) {
-    add(texture, [=](const Detail& detail) {
-      const Painted piece = build(detail);
-      Painted p;
-      p.mesh.append(piece.mesh, where);
-      p.paint = piece.paint;
-      return p;
-    });
-  };
-  at(paint_, shelf, placed({-1.50, 0, -2.32}));
-  at(paint_, books, placed({-1.50, 0, -2.32}));
-  at(paint_, chest, placed({1.34, 0, -2.12}));
-  at(paint_, floorLamp, placed({kLampCenter.x, 0, kLampCenter.z}));
+  addAt(paint_, shelf, placed({-1.50, 0, -2.32}));
+  addAt(paint_, books, placed({-1.50, 0, -2.32}));
+  addAt(paint_, chest, placed({1.34, 0, -2.12}));
+  addAt(paint_, floorLamp, placed({kLampCenter.x, 0, kLampCenter.z}));
   Thing shade = make(
       paint_,
       [](const Detail& detail) {
@@ -332,7 +333,7 @@ void Playroom::addFurniture() {
     }
     return p;
   });
-  at(
+  addAt(
       wood_,
       [](const Detail&) {
         Painted p;
@@ -343,23 +344,14 @@ void Playroom::addFurniture() {
 }
 
 void Playroom::addToys() {
-  const auto at = [this](Build build, const dmat4& where) {
-    add(paint_, [=](const Detail& detail) {
-      const Painted piece = build(detail);
-      Painted p;
-      p.mesh.append(piece.mesh, where);
-      p.paint = piece.paint;
-      return p;
-    });
-  };
-  at(bear, placed({1.34, 0.49, -2.08}, -0.25));
-  at(ringTower, placed({-1.80, 0, 0.75}));
-  at(drum, placed({1.72, 0, -0.75}, 0.6));
-  at(spinningTop, placed({-0.62, 0.006, 1.52}));
-  at(blockTower, placed({-1.77, 0, -0.95}, 0.35));
-  at(scatteredBlocks, placed({1.55, 0, 1.25}, -0.4));
-  at(beachBall, placed({1.98, 0, 0.30}));
-  at(rocket, placed({-1.92, 0.955, -2.30}));
+  addAt(paint_, bear, placed({1.34, 0.49, -2.08}, -0.25));
+  addAt(paint_, ringTower, placed({-1.80, 0, 0.75}));
+  addAt(paint_, drum, placed({1.72, 0, -0.75}, 0.6));
+  addAt(paint_, spinningTop, placed({-0.62, 0.006, 1.52}));
+  addAt(paint_, blockTower, placed({-1.77, 0, -0.95}, 0.35));
+  addAt(paint_, scatteredBlocks, placed({1.55, 0, 1.25}, -0.4));
+  addAt(paint_, beachBall, placed({1.98, 0, 0.30}));
+  addAt(paint_, rocket, placed({-1.92, 0.955, -2.30}));
   stand_ = make(wood_, ballStand);
 }
 

@@ -37,6 +37,7 @@ class Playroom {
   Thing make(const room::Texture& texture, const Maker& maker, bool vertexLit = false) const;
   template <typename Maker>
   void add(const room::Texture& texture, const Maker& maker);
+  void addAt(const room::Texture& texture, Build build, const glm::dmat4& where);
 
   room::LightBake light_;
   room::Texture wallpaper_, boards_, wood_, paint_, rug_, picture_, dusk_;
