@@ -67,6 +67,8 @@ void describeSettings(CLI::App& app, room::Settings& settings) {
       ->capture_default_str()
       ->check(CLI::Range(0, 1'000'000));
   app.add_flag("--quads", settings.quads, "particles: screen-aligned quads instead of point sprites");
+  app.add_flag("--culled", settings.culled,
+               "reflect: tell over the picture how many things each face leaves out");
   app.add_option(
          "--skin", settings.skin,
          "skinning: by the GL's matrix palette, by the program, or any: by the palette where there is one")

@@ -66,6 +66,7 @@ std::vector<std::string> arguments(const BenchOptions& options, std::string_view
                 options.settings.water, "--integrator", options.settings.integrator, "--stiffness",
                 fmt::format("{}", options.settings.stiffness), "--skin", options.settings.skin});
   if (options.settings.quads) words.emplace_back("--quads");
+  if (options.settings.culled) words.emplace_back("--culled");
   return words;
 }
 

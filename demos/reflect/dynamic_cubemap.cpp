@@ -30,9 +30,10 @@ void DynamicCubemap::render(const Playroom& playroom, double time) {
   surroundings_.unbind();
 }
 
-int drawFace(const Playroom& playroom, int face, double time) {
-  const room::Camera camera{kBallCenter, room::cubeFaceCamera(face, kBallCenter),
-                            room::cubeFaceProjection(0.25, 15.0)};
+int drawFace(const Playroom& playroom, int face, double time, bool upright) {
+  room::Camera camera{kBallCenter, room::cubeFaceCamera(face, kBallCenter),
+                      room::cubeFaceProjection(0.25, 15.0)};
+  if (upright) camera.projection = glm::scale(glm::dmat4(1.0), glm::dvec3(-1, -1, 1)) * camera.projection;
   beginLit(camera, time);
   int culled = 0;
   for (const Thing& thing : playroom.things()) {

@@ -30,8 +30,8 @@ class DynamicCubemap {
   std::array<int, 6> culled_{};
 };
 
-// Draws what a face sees, 0 to 5 for +X -X +Y -Y +Z -Z, into the viewport; returns how many things it does
-// not.
-int drawFace(const Playroom& playroom, int face, double time);
+// Draws what a face sees, 0 to 5 for +X -X +Y -Y +Z -Z, into the viewport; upright: as one sees it who stands
+// there, half a turn from how it is stored. Returns how many things it has left out.
+int drawFace(const Playroom& playroom, int face, double time, bool upright = false);
 
 }  // namespace reflect

@@ -32,11 +32,12 @@ room::Camera cameraFor(const room::View& view) {
 class Reflect final : public room::Demo {
  public:
   std::span<const std::string_view> stages() const override { return kStages; }
+  void configure(const room::Settings& settings) override { tellsCulled_ = settings.culled; }
   void setup() override;
   void frame(const room::View& view, std::string_view stage) override;
 
  private:
-  void showFaces(const room::View& view) const;
+  void showFaces(const room::View& view);
   void drawRoom(const room::View& view, Version version) const;
   void drawOverlay(const room::View& view);
 
@@ -44,6 +45,7 @@ class Reflect final : public room::Demo {
   std::optional<DynamicCubemap> cubemap_;
   std::optional<room::Overlay> overlay_;
   std::optional<Playroom> playroom_;
+  bool tellsCulled_ = false;
 };
 
 void Reflect::setup() {
@@ -66,16 +68,30 @@ void Reflect::frame(const room::View& view, std::string_view stage) {
     drawRoom(view, stage == "proxy" ? Version::Proxy : Version::Fine);
     if (stage != "proxy") cubemap_->drawBall(cameraFor(view), finished);
   }
-  if (finished) drawOverlay(view);
+  if (finished && tellsCulled_) drawOverlay(view);
   room::resetPasses(kUnits);
 }
 
-// The six as they are stored, two rows of three.
-void Reflect::showFaces(const room::View& view) const {
-  const int side = std::min(view.width / 3, view.height / 2);
+// Two rows of three, each face upright with its name and what it leaves out above it.
+void Reflect::showFaces(const room::View& view) {
+  const glm::ivec2 cell(view.width / 3, view.height / 2);
+  const int side = std::min(cell.x, cell.y * 8 / 9);
+  const glm::ivec2 margin((cell.x - side) / 2, (cell.y - side) / 3);
+  const auto corner = [&](int face) { return glm::ivec2(face % 3, 1 - face / 3) * cell + margin; };
+  std::array<int, 6> culled{};
   for (int face = 0; face < 6; ++face) {
-    glViewport(face % 3 * side, (1 - face / 3) * side, side, side);
-    drawFace(*playroom_, face, view.time);
+    const glm::ivec2 low = corner(face);
+    glViewport(low.x, low.y, side, side);
+    culled[static_cast<std::size_t>(face)] = drawFace(*playroom_, face, view.time, true);
+  }
+  glViewport(0, 0, view.width, view.height);
+  room::resetPasses(kUnits);
+  const double letter = cell.y / 32.0;
+  for (int face = 0; face < 6; ++face) {
+    const glm::dvec2 at = corner(face) + glm::ivec2(0, side);
+    const auto i = static_cast<std::size_t>(face);
+    overlay_->label(view, at + 0.8 * letter, letter,
+                    fmt::format("{}: {} of {} culled", kFaceNames[i], culled[i], playroom_->things().size()));
   }
 }
 

@@ -5,7 +5,7 @@
 //      things drawn with fewer polygons, and only those whose bounding boxes reach into the face's view.
 //   2. The room. The train's vehicles are lit at their vertices by a directional light that moves.
 //   3. The ball: lit the same way, and the cube map by reflection mapping, mixed in one pass.
-//   4. How many things each face has left out, in an overlay.
+//   4. How many things each face has left out, in an overlay, where Settings::culled says so.
 #pragma once
 
 #include <memory>

@@ -27,6 +27,7 @@ struct Settings {
   std::string water = "waves";
   std::string integrator = "semi-implicit";  // water, springs: "explicit", "semi-implicit" or "implicit"
   double stiffness = 180;                    // water, springs: over a mass, 1/s^2
+  bool culled = false;                       // reflect: tells over the picture what each face leaves out
   // skinning: who adds up a vertex's bones, the GL's matrix "palette", the program ("cpu"), or "any": the
   // palette where there is one
   std::string skin = "any";
