@@ -174,8 +174,9 @@ void Atrium::addAmphorae() {
   }
   const auto lean = [&](const dvec3& foot, double turn, double tilt) {
     clayMesh_.append(amphora, glm::rotate(placed(foot, turn), tilt, dvec3(0, 0, 1)));
-    light_.add(
-        room::UprightCylinder{foot + dvec3(0.16 * std::cos(turn), 0.3, -0.16 * std::sin(turn)), 0.15, 0.5});
+    // Where the body is widest; more would stick out of it, and its own light would end there.
+    light_.add(room::UprightCylinder{foot + dvec3(0.13 * std::cos(turn), 0.36, -0.13 * std::sin(turn)), 0.105,
+                                     0.36});
   };
   // Against the wall on the right.
   lean({3.78, 0, -1.35}, 0.0, -0.24);
@@ -183,7 +184,12 @@ void Atrium::addAmphorae() {
   lean({3.80, 0, -0.25}, -0.2, -0.25);
   // One lies where it fell.
   clayMesh_.append(amphora, glm::rotate(placed({2.95, 0.20, 1.1}, 2.5), glm::radians(-86.0), dvec3(0, 0, 1)));
-  light_.add(room::Block{{2.55, 0.17, 0.8}, {0.34, 0.15, 0.12}, 2.5});
+  const auto inside = [this](double along, const dvec3& half) {
+    const dvec3 axis(std::cos(2.5), 0, -std::sin(2.5));
+    light_.add(room::Block{dvec3(2.95, 0.20 + 0.07 * along, 1.1) + axis * along, half, 2.5});
+  };
+  inside(0.34, {0.07, 0.06, 0.06});
+  inside(0.60, {0.17, 0.11, 0.11});
 }
 
 void Atrium::addBench() {
