@@ -23,9 +23,9 @@ std::array<room::Image, 6> highlightFaces() {
     faces[static_cast<std::size_t>(face)] =
         room::generate(kHighlightSize, kHighlightSize, 1, [face](double s, double t, float* out) {
           const glm::dvec3 d = room::cubeDirection(face, s, t);
-          const double core = room::bell(d.x, 0, 0.11) * room::bell(d.y, 0, 0.62);
-          const double sheen = room::bell(d.x, 0, 0.42) * room::bell(d.y, 0, 0.80);
-          *out = static_cast<float>((0.62 * core + 0.38 * sheen) * room::smoothStep(-0.05, 0.35, d.z));
+          const double core = room::bell(d.x, 0, 0.11) * room::bell(d.y, 0, 1.10);
+          const double sheen = room::bell(d.x, 0, 0.42) * room::bell(d.y, 0, 1.10);
+          *out = static_cast<float>((0.70 * core + 0.45 * sheen) * room::smoothStep(-0.05, 0.35, d.z));
         });
   }
   return faces;
