@@ -56,7 +56,16 @@ void drawThing(const room::Camera& camera, const Thing& thing, Version version) 
   glEnableClientState(GL_COLOR_ARRAY);
   mesh.bindColors();
   mesh.bindPositions();
+  if (thing.shadow) {
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    glDepthMask(GL_FALSE);
+  }
   mesh.draw();
+  if (thing.shadow) {
+    glDisable(GL_BLEND);
+    glDepthMask(GL_TRUE);
+  }
 }
 
 }  // namespace reflect

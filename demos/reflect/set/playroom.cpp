@@ -19,9 +19,14 @@ using glm::dvec2;
 using glm::dvec3;
 using room::placed;
 
+constexpr double kScatteredAngle = -0.4;
 constexpr dvec3 kLampCenter(2.02, 1.50, -2.02);
 constexpr dvec2 kWindowLow(-0.35, 1.18);
 constexpr dvec2 kWindowHigh(0.85, 2.18);
+
+dmat4 scatteredAt() {
+  return placed({1.55, 0, 1.25}, kScatteredAngle);
+}
 
 }  // namespace
 
@@ -43,6 +48,7 @@ void Playroom::makeTextures() {
   rug_ = room::materialTexture(512, rugTexel);
   picture_ = room::materialTexture(256, room::poster, GL_CLAMP_TO_EDGE);
   dusk_ = room::materialTexture(256, duskTexel, GL_CLAMP_TO_EDGE);
+  shadow_ = room::materialTexture(64, vehicleShadowTexel, GL_CLAMP_TO_EDGE);
 }
 
 // The lamp, the window, what light the walls throw back, and what stands in its way.
@@ -72,6 +78,10 @@ void Playroom::addLight() {
   light_.add(room::UprightCylinder{{-1.80, 0.01, 0.75}, 0.09, 0.26});
   light_.add(room::UprightCylinder{{1.95, 0.05, 0.30}, 0.12, 0.20});
   light_.add(room::UprightCylinder{{1.34, 0.50, -2.10}, 0.11, 0.42});
+  for (std::size_t i = 0; i < kScatteredBlocks.size(); ++i) {
+    const dvec3 middle(scatteredAt() * glm::dvec4(kScatteredBlocks[i], 1.0));
+    light_.add(room::Block{middle, dvec3(0.05), kScatteredAngle + scatteredTurn(i)});
+  }
 }
 
 template <typename Maker>
@@ -109,11 +119,11 @@ void Playroom::addAt(const room::Texture& texture, Build build, const dmat4& whe
 void Playroom::addShell() {
   const dvec3 low = kRoomMin;
   const dvec3 size = kRoomMax - kRoomMin;
-  // Cut finely enough for light in the vertices.
+  // Cut finely enough for light in the vertices: the floor, for shadows of what stands on it.
   const auto side = [this](const room::Texture& texture, const dvec3& origin, const dvec3& a, const dvec3& b,
-                           const dvec2& repeat) {
+                           const dvec2& repeat, double finest = 0.13) {
     add(texture, [=](const Detail& detail) {
-      const double cell = 0.13 / detail.share;
+      const double cell = finest / detail.share;
       const int columns = std::max(2, static_cast<int>(glm::length(a) / cell));
       const int rows = std::max(2, static_cast<int>(glm::length(b) / cell));
       Painted p;
@@ -126,7 +136,7 @@ void Playroom::addShell() {
   const dvec3 x(size.x, 0, 0);
   const dvec3 y(0, size.y, 0);
   const dvec3 z(0, 0, size.z);
-  side(boards_, {low.x, 0, kRoomMax.z}, x, -z, {size.x / 1.4, size.z / 1.4});
+  side(boards_, {low.x, 0, kRoomMax.z}, x, -z, {size.x / 1.4, size.z / 1.4}, 0.045);
   side(paint_, {low.x, size.y, low.z}, x, z, {2, 2});
   side(wallpaper_, low, x, y, {size.x / kPaperWidth, 1});
   side(wallpaper_, {low.x, 0, kRoomMax.z}, -z, y, {size.z / kPaperWidth, 1});
@@ -135,7 +145,7 @@ void Playroom::addShell() {
   add(rug_, [](const Detail& detail) {
     constexpr double kRadius = 1.72;
     Painted p;
-    p.add(room::surface(detail.cells(96, 40), detail.cells(26, 10),
+    p.add(room::surface(detail.cells(144, 40), detail.cells(56, 16),
                         [](double u, double v) {
                           const double angle = -u * glm::two_pi<double>();
                           return dvec3(kRadius * v * std::sin(angle), 0.006, kRadius * v * std::cos(angle));
@@ -254,7 +264,7 @@ void Playroom::addToys() {
   addAt(paint_, drum, placed({1.72, 0, -0.75}, 0.6));
   addAt(paint_, spinningTop, placed({-0.62, 0.006, 1.52}));
   addAt(paint_, blockTower, placed({-1.77, 0, -0.95}, 0.35));
-  addAt(paint_, scatteredBlocks, placed({1.55, 0, 1.25}, -0.4));
+  addAt(paint_, scatteredBlocks, scatteredAt());
   addAt(paint_, beachBall, placed({1.98, 0, 0.30}));
   addAt(paint_, rocket, placed({-1.92, 0.955, -2.30}));
   stand_ = make(wood_, ballStand);
@@ -262,6 +272,23 @@ void Playroom::addToys() {
 
 void Playroom::addTrain() {
   add(wood_, track);
+  firstShadow_ = things_.size();
+  for (int i = 0; i < kVehicles; ++i) {
+    Thing shadow = make(
+        shadow_,
+        [](const Detail&) {
+          Painted p;
+          p.add(room::rectangle({-0.20, 0.010 - kRailTop, 0.11}, {0.40, 0, 0}, {0, 0, -0.22}, 1, 1),
+                dvec3(1));
+          for (room::Vertex& v : p.mesh.vertices)
+            v.uv = {v.position.x / 0.40 + 0.5, v.position.z / 0.22 + 0.5};
+          return p;
+        },
+        true);
+    shadow.vertexLit = false;
+    shadow.shadow = true;
+    things_.push_back(std::move(shadow));
+  }
   firstVehicle_ = things_.size();
   for (int i = 0; i < kVehicles; ++i) {
     things_.push_back(make(
@@ -270,8 +297,10 @@ void Playroom::addTrain() {
 }
 
 void Playroom::animate(double time) {
-  for (int i = 0; i < kVehicles; ++i)
-    things_[firstVehicle_ + static_cast<std::size_t>(i)].model = vehicleAt(i, time);
+  for (std::size_t i = 0; i < kVehicles; ++i) {
+    const dmat4 where = vehicleAt(static_cast<int>(i), time);
+    things_[firstShadow_ + i].model = things_[firstVehicle_ + i].model = where;
+  }
 }
 
 }  // namespace reflect

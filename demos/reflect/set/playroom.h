@@ -40,9 +40,10 @@ class Playroom {
   void addAt(const room::Texture& texture, Build build, const glm::dmat4& where);
 
   room::LightBake light_;
-  room::Texture wallpaper_, boards_, wood_, paint_, rug_, picture_, dusk_;
+  room::Texture wallpaper_, boards_, wood_, paint_, rug_, picture_, dusk_, shadow_;
   std::vector<Thing> things_;
   Thing stand_;
+  std::size_t firstShadow_ = 0;  // of the vehicles, as many as they
   std::size_t firstVehicle_ = 0;
 };
 

@@ -109,4 +109,13 @@ room::Texel paintTexel(double u, double v) {
   return t;
 }
 
+room::Texel vehicleShadowTexel(double u, double v) {
+  // Of a box with round corners, by the distance from it.
+  const dvec2 beyond = glm::max(glm::abs(dvec2(u, v) - 0.5) - dvec2(0.36, 0.18), dvec2(0));
+  const double away = glm::length(beyond / dvec2(0.14, 0.32));
+  room::Texel t;
+  t.color = dvec3(1 - 0.72 * (1 - smoothStep(0.0, 1.0, away)));
+  return t;
+}
+
 }  // namespace reflect

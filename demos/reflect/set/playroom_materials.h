@@ -16,5 +16,7 @@ room::Texel rugTexel(double u, double v);
 room::Texel duskTexel(double u, double v);
 // White, with the brush's strokes; things bring their color in their vertices.
 room::Texel paintTexel(double u, double v);
+// What is left of the light under a vehicle, from end to end and from side to side.
+room::Texel vehicleShadowTexel(double u, double v);
 
 }  // namespace reflect

@@ -36,6 +36,7 @@ struct Thing {
   glm::dmat4 model{1.0};
   bool vertexLit = false;  // by the light that moves; what stands still has its light in its colors, halved
   float scale = 2;         // what texture times color is multiplied by
+  bool shadow = false;     // lies on the floor and darkens it by its texture
 };
 
 // Colors of a thing that stands still.

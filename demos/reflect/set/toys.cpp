@@ -182,11 +182,9 @@ Painted blockTower(const Detail& detail) {
 
 Painted scatteredBlocks(const Detail& detail) {
   Painted p;
-  constexpr std::array<dvec3, 5> kPlaces = {
-      {{0, 0.06, 0}, {0.26, 0.06, 0.10}, {-0.22, 0.06, 0.20}, {0.10, 0.06, 0.32}, {0.02, 0.18, 0.01}}};
-  for (int i = 0; i < 5; ++i) {
-    p.add(box(dvec3(0.12), detail), colorOf(i + 1),
-          placed(kPlaces[static_cast<std::size_t>(i)], 1.3 * i + 0.2));
+  for (std::size_t i = 0; i < kScatteredBlocks.size(); ++i) {
+    p.add(box(dvec3(0.12), detail), colorOf(static_cast<int>(i) + 1),
+          placed(kScatteredBlocks[i], scatteredTurn(i)));
   }
   return p;
 }
