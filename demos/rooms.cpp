@@ -14,6 +14,7 @@
 #include "particles/particles.h"
 #include "postprocessing/postprocessing.h"
 #include "program/bench.h"
+#include "program/frame_files.h"
 #include "program/options.h"
 #include "program/render.h"
 #include "program/window.h"
@@ -30,6 +31,8 @@ using program::BenchOptions;
 using program::Options;
 using program::UsageError;
 using program::WorkerTask;
+
+constexpr int kWrongUsage = 2;  // exit status
 
 const std::vector<room::DemoEntry>& demos() {
   static const std::vector<room::DemoEntry> entries = {
@@ -187,7 +190,7 @@ int study(const std::string& what, const std::string& out) {
   if (what != "water") throw UsageError(fmt::format("there is no study of '{}'; there is: water", what));
   const std::vector<water::StudyEntry> entries = water::studyIntegrators();
   std::fputs(water::studyTable(entries).c_str(), stdout);
-  std::filesystem::create_directories(out);
+  program::makeFolder(out);
   const std::filesystem::path file = std::filesystem::path(out) / "study-water.png";
   room::writePicture(file, room::drawPlot(water::plotOf(entries), 1200, 900));
   fmt::print("plotted in {}\n", file.string());
@@ -203,7 +206,7 @@ int run(int argc, char** argv) {
   CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
   // A later option overrides an earlier one, so that scripts can have defaults.
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  app.failure_message(CLI::FailureMessage::help);
+  app.failure_message(CLI::FailureMessage::simple);
   describeRendering(app, options);
   CLI::App& benchApp =
       *app.add_subcommand("bench", "error beside run time, of ours and of Mesa's two in turns");
@@ -216,7 +219,7 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return app.exit(error) == 0 ? 0 : kWrongUsage;
   }
   if (benchApp.parsed()) return benchChosen(benchOptions, worker);
   if (studyApp.parsed()) return study(studied, studyOut);
@@ -231,7 +234,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const UsageError& error) {
     fmt::print(stderr, "rooms: {}\n", error.what());
-    return 2;
+    return kWrongUsage;
   } catch (const std::exception& error) {
     fmt::print(stderr, "rooms: {}\n", error.what());
     return 1;

@@ -1,10 +1,23 @@
 #include "frame_files.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
+#include <cstdio>
+#include <system_error>
 
 namespace program {
+
+void makeFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error && access(folder.c_str(), W_OK) != 0) error = {errno, std::generic_category()};
+  if (error) {
+    throw UsageError(fmt::format("no pictures can be written to '{}': {}", folder.string(), error.message()));
+  }
+}
 
 double timeOf(const Options& options, double frame) {
   return options.time + frame / options.fps;
@@ -37,7 +50,8 @@ FrameFiles::FrameFiles(const Options& options, std::string stem)
   if (options.contactSheet) {
     sheet_ = std::make_unique<room::ContactSheet>(range_.count());
   } else if (format_ == "gif") {
-    gif_ = std::make_unique<room::GifWriter>(folder_ / (stem_ + ".gif"), options.fps);
+    first_ = folder_ / (stem_ + ".gif");
+    gif_ = std::make_unique<room::GifWriter>(first_, options.fps);
   }
 }
 
@@ -48,13 +62,26 @@ void FrameFiles::add(int frame, const room::Picture& picture) {
     gif_->add(picture);
   } else {
     const std::string name = range_.numbered ? fmt::format("{}-{:04}", stem_, frame) : stem_;
-    room::writePicture(folder_ / (name + "." + format_), picture);
+    write(folder_ / (name + "." + format_), picture);
   }
 }
 
+void FrameFiles::write(const std::filesystem::path& file, const room::Picture& picture) {
+  room::writePicture(file, picture);
+  last_ = file;
+  if (first_.empty()) first_ = file;
+}
+
 void FrameFiles::finish() {
-  if (sheet_) room::writePicture(folder_ / (stem_ + "-sheet." + format_), sheet_->picture());
+  if (sheet_) write(folder_ / (stem_ + "-sheet." + format_), sheet_->picture());
   if (gif_) gif_->close();
+  if (first_.empty()) return;
+  if (last_.empty() || last_ == first_) {
+    fmt::print("wrote {}\n", first_.string());
+  } else {
+    fmt::print("wrote {} to {}\n", first_.string(), last_.filename().string());
+  }
+  std::fflush(stdout);
 }
 
 }  // namespace program

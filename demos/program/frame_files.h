@@ -11,6 +11,9 @@
 
 namespace program {
 
+// With the folders above it. Throws UsageError where that cannot be, or nothing can be written there.
+void makeFolder(const std::filesystem::path& folder);
+
 // Seconds at which a frame is drawn.
 double timeOf(const Options& options, double frame);
 
@@ -25,13 +28,17 @@ class FrameFiles {
  public:
   FrameFiles(const Options& options, std::string stem);
   void add(int frame, const room::Picture& picture);
+  // Completes the files and says on standard output which there are.
   void finish();
 
  private:
+  void write(const std::filesystem::path& file, const room::Picture& picture);
+
   std::filesystem::path folder_;
   std::string format_;
   std::string stem_;
   FrameRange range_;
+  std::filesystem::path first_, last_;  // that have been written
   std::unique_ptr<room::GifWriter> gif_;
   std::unique_ptr<room::ContactSheet> sheet_;
 };

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -59,7 +58,7 @@ void renderStage(room::Demo& demo, const room::Context& context, const std::stri
                  std::string_view stage, const Options& options) {
   const FrameRange range = parseFrames(options.frames);
   FrameFiles output(options, stem);
-  room::Progress progress(stem, range.count());
+  std::optional<room::Progress> progress(std::in_place, stem, range.count());
   const Meter meter(context);
   Clock::duration drawing{};
   for (int frame = range.first; frame <= range.last; ++frame) {
@@ -71,8 +70,9 @@ void renderStage(room::Demo& demo, const room::Context& context, const std::stri
     const room::Picture full = room::readPicture(view.width, view.height);
     room::checkErrors(fmt::format("frame {} of {}", frame, stem));
     output.add(frame, room::reducePicture(full, options.supersample));
-    progress.advance();
+    progress->advance();
   }
+  progress.reset();  // before anything else is written to the terminal
   output.finish();
   if (options.stats) {
     meter.print(stem, range.count(), std::chrono::duration<double, std::milli>(drawing).count());
@@ -85,7 +85,7 @@ void render(const room::DemoEntry& entry, const Options& options) {
   const Size size = parseSize(options.size);
   checkFrames(options);
   const std::vector<std::string_view> stages = chosenStages(*entry.make(), entry.name, options.stage);
-  std::filesystem::create_directories(options.out);
+  makeFolder(options.out);
 
   const int fine = options.supersample;
   const room::Context context(size.width * fine, size.height * fine, options.samples);
@@ -93,7 +93,10 @@ void render(const room::DemoEntry& entry, const Options& options) {
   demo->configure(options.settings);
   const Meter meter(context);
   const auto begin = Clock::now();
-  demo->setup();
+  {
+    const room::Progress progress(fmt::format("{}, set-up", entry.name), 1);
+    demo->setup();
+  }
   room::checkErrors(fmt::format("the setup of {}", entry.name));
   if (options.stats) {
     meter.printHeading();

@@ -208,7 +208,7 @@ void show(const room::DemoEntry& entry, const Options& options) {
   demo->setup();
   room::checkErrors(fmt::format("the setup of {}", entry.name));
   if (!options.framesChosen) return play(window, entry, *demo, stages.front(), options);
-  std::filesystem::create_directories(options.out);
+  makeFolder(options.out);
   for (std::string_view stage : stages) showFrames(window, entry, *demo, stage, options);
 }
 

@@ -87,6 +87,7 @@ bool Context::open(EGLDisplay display, int samples) {
   const EGLConfig config = chooseConfig(display, samples);
   const std::array<EGLint, 5> size = {EGL_WIDTH, width_, EGL_HEIGHT, height_, EGL_NONE};
   const std::array<EGLint, 3> version = {EGL_CONTEXT_CLIENT_VERSION, 1, EGL_NONE};
+  checkSize(display, config);
   if (config != nullptr && eglBindAPI(EGL_OPENGL_ES_API) == EGL_TRUE) {
     surface_ = eglCreatePbufferSurface(display, config, size.data());
     context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, version.data());
@@ -99,6 +100,21 @@ bool Context::open(EGLDisplay display, int samples) {
   error_ = config != nullptr ? eglGetError() : EGL_BAD_CONFIG;
   close();
   return false;
+}
+
+// One plain sentence instead of the EGL error that would follow.
+void Context::checkSize(EGLDisplay display, EGLConfig config) {
+  EGLint width = 0;
+  EGLint height = 0;
+  if (config == nullptr || eglGetConfigAttrib(display, config, EGL_MAX_PBUFFER_WIDTH, &width) != EGL_TRUE ||
+      eglGetConfigAttrib(display, config, EGL_MAX_PBUFFER_HEIGHT, &height) != EGL_TRUE ||
+      (width_ <= width && height_ <= height)) {
+    return;
+  }
+  close();
+  throw std::runtime_error(
+      fmt::format("{} x {} pixels are more than this implementation draws at once: {} x {}", width_, height_,
+                  width, height));
 }
 
 void Context::close() {

@@ -37,6 +37,7 @@ class Context {
 
  private:
   bool open(EGLDisplay display, int samples);
+  void checkSize(EGLDisplay display, EGLConfig config);
   void close();
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

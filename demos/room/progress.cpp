@@ -9,10 +9,14 @@
 namespace room {
 
 Progress::Progress(std::string label, int total)
-    : label_(std::move(label)), total_(total), terminal_(isatty(STDERR_FILENO) == 1) {}
+    : label_(std::move(label)), total_(total), terminal_(isatty(STDERR_FILENO) == 1) {
+  if (!terminal_) return;
+  fmt::print(stderr, "\r{} ...\033[K", label_);
+  std::fflush(stderr);
+}
 
 Progress::~Progress() {
-  if (terminal_ && total_ > 1) fmt::print(stderr, "\r\033[K");
+  if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
 void Progress::advance() {

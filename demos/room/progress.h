@@ -6,7 +6,8 @@
 
 namespace room {
 
-// Shows itself on a terminal, or, in plain lines, when a run has taken longer than a few seconds.
+// On a terminal shows what is going on from the start, and how far it is; elsewhere tells it in plain lines
+// when a run of many frames has taken longer than a few seconds.
 class Progress {
  public:
   Progress(std::string label, int total);
