@@ -18,6 +18,7 @@ constexpr dvec3 kAbsorption(0.55, 0.16, 0.12);  // a metre
 
 // Where a ray from a point in the water meets the bottom or a wall.
 struct PoolHit {
+  dvec2 place;
   dvec2 unfolded;
   double length;
 };
@@ -34,17 +35,18 @@ PoolHit hitPool(const dvec3& from, const dvec3& direction) {
       wall = axis;
     }
   }
-  dvec2 unfolded = glm::clamp(ground + along * t, -kPoolHalf, kPoolHalf);
+  const dvec2 place = glm::clamp(ground + along * t, -kPoolHalf, kPoolHalf);
+  dvec2 unfolded = place;
   // A wall is folded down about its foot.
   if (wall >= 0) unfolded[wall] += std::copysign(from.y + direction.y * t - kPoolBottom, along[wall]);
-  return {unfolded, t};
+  return {place, unfolded, t};
 }
 
 }  // namespace
 
 Refracted refracted(const dvec3& position, const dvec3& normal, const dvec3& toward) {
   const PoolHit hit = hitPool(position, glm::refract(toward, normal, kAirToWater));
-  return {poolTexCoord(hit.unfolded), glm::exp(-kAbsorption * hit.length)};
+  return {poolTexCoord(hit.unfolded), hit.place, glm::exp(-kAbsorption * hit.length)};
 }
 
 dvec2 poolTexCoord(dvec2 unfolded) {
@@ -53,7 +55,8 @@ dvec2 poolTexCoord(dvec2 unfolded) {
 
 void useRefraction(const Sheet& sheet, const room::Texture& poolPicture) {
   room::useTexture(0, poolPicture);
-  room::combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, kLightScale);
+  // Twice, as caustics may double the light.
+  room::combine(GL_MODULATE, GL_TEXTURE, GL_PREVIOUS, 2 * kLightScale);
   glClientActiveTexture(GL_TEXTURE0);
   glEnableClientState(GL_TEXTURE_COORD_ARRAY);
   sheet.bindTexCoords();

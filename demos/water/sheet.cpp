@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "caustics.h"
 #include "reflection.h"
 #include "refraction.h"
 #include "set/measures.h"
@@ -16,6 +17,13 @@ dvec2 latticePoint(int column, int row) {
   return (dvec2(column, row) / double{kLattice - 1} * 2.0 - 1.0) * kPoolHalf;
 }
 
+LatticePlace latticePlace(dvec2 place) {
+  const dvec2 at =
+      glm::clamp((place / kPoolHalf + 1.0) * (0.5 * (kLattice - 1)), dvec2(0), dvec2(kLattice - 1.001));
+  const dvec2 low = glm::floor(at);
+  return {latticeIndex(static_cast<int>(low.x), static_cast<int>(low.y)), at - low};
+}
+
 Sheet::Sheet() : vertices_(latticeIndex(0, kLattice)) {
   for (int row = 0; row + 1 < kLattice; ++row) {
     for (int column = 0; column + 1 < kLattice; ++column) {
@@ -27,7 +35,7 @@ Sheet::Sheet() : vertices_(latticeIndex(0, kLattice)) {
   }
 }
 
-void Sheet::update(const Heights& heights, const dvec3& eye) {
+void Sheet::update(const Heights& heights, const Caustics& caustics, const dvec3& eye) {
   const dvec2 cell = 2.0 * kPoolHalf / double{kLattice - 1};
   for (int row = 0; row < kLattice; ++row) {
     const int below = std::max(row - 1, 0);
@@ -49,28 +57,17 @@ void Sheet::update(const Heights& heights, const dvec3& eye) {
       v.position = position;
       v.normal = normal;
       v.uv = bent.texCoord;
-      v.color = glm::vec4(bent.left, reflectedShare(-glm::dot(view, normal)));
+      v.color =
+          glm::vec4(bent.left * (0.5 * caustics.at(bent.place)), reflectedShare(-glm::dot(view, normal)));
     }
   }
 }
 
 Sheet::Point Sheet::at(dvec2 place) const {
-  const dvec2 at =
-      glm::clamp((place / kPoolHalf + 1.0) * (0.5 * (kLattice - 1)), dvec2(0), dvec2(kLattice - 1.001));
-  const int column = static_cast<int>(at.x);
-  const int row = static_cast<int>(at.y);
-  const dvec2 part = at - dvec2(column, row);
-  Point point{0, dvec3(0)};
-  for (int i = 0; i < 4; ++i) {
-    const int right = i & 1;
-    const int above = i >> 1;
-    const double weight = (right == 1 ? part.x : 1 - part.x) * (above == 1 ? part.y : 1 - part.y);
-    const Vertex& v = vertices_[latticeIndex(column + right, row + above)];
-    point.height += weight * (static_cast<double>(v.position.y) - kWaterLevel);
-    point.normal += weight * dvec3(v.normal);
-  }
-  point.normal = glm::normalize(point.normal);
-  return point;
+  const double level =
+      onLattice(place, [this](std::size_t i) { return static_cast<double>(vertices_[i].position.y); });
+  const dvec3 normal = onLattice(place, [this](std::size_t i) { return dvec3(vertices_[i].normal); });
+  return {level - kWaterLevel, glm::normalize(normal)};
 }
 
 void Sheet::bindPositions() const {

@@ -19,13 +19,29 @@ inline std::size_t latticeIndex(int column, int row) {
 }
 // Where a vertex is, x and z from the middle of the pool.
 glm::dvec2 latticePoint(int column, int row);
+// The cell that a place lies in.
+struct LatticePlace {
+  std::size_t vertex;  // of its lowest column and row
+  glm::dvec2 part;     // [0,1), of the cell
+};
+LatticePlace latticePlace(glm::dvec2 place);
+
+// What a function of the vertices is at a place between them; x and z from the middle of the pool.
+template <typename Function>
+auto onLattice(glm::dvec2 place, const Function& of) {
+  const LatticePlace at = latticePlace(place);
+  return (1 - at.part.y) * ((1 - at.part.x) * of(at.vertex) + at.part.x * of(at.vertex + 1)) +
+         at.part.y * ((1 - at.part.x) * of(at.vertex + kLattice) + at.part.x * of(at.vertex + kLattice + 1));
+}
+
+class Caustics;
 
 class Sheet {
  public:
   Sheet();
   // Normals from the heights' differences, and, for the eye, where the refracted ray through every vertex
-  // meets the pool, how much light is lost on the way and how much is reflected.
-  void update(const Heights& heights, const glm::dvec3& eye);
+  // meets the pool, how much light comes from there and how much is reflected.
+  void update(const Heights& heights, const Caustics& caustics, const glm::dvec3& eye);
   // Height and normal between the vertices; x and z from the middle of the pool.
   struct Point {
     double height;

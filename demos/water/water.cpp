@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "caustics.h"
 #include "pond.h"
 #include "puddles.h"
 #include "reflection.h"
@@ -64,6 +65,7 @@ class Water final : public room::Demo {
   std::optional<Atrium> atrium_;
   std::optional<Pond> pond_;  // none: waves
   Sheet sheet_;
+  Caustics caustics_;
   Heights heights_;
 };
 
@@ -129,7 +131,8 @@ void Water::moveWater(double time, const glm::dvec3& eye) {
   } else {
     waveHeights(time, heights_);
   }
-  sheet_.update(heights_, eye);
+  caustics_.update(heights_);
+  sheet_.update(heights_, caustics_, eye);
 }
 
 // One pass: refraction in unit 0, and over it, by Fresnel's share, reflection in unit 1.
