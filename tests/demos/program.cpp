@@ -93,6 +93,33 @@ TEST(RoomsProgram, WritesEveryFormat) {
   }
 }
 
+// Over the upper left corner of the picture, and nowhere else.
+TEST(RoomsProgram, TellsWhatReflectLeavesOutWhenAsked) {
+  const process::TemporaryDirectory folder;
+  const auto draw = [&](const char* name, std::vector<std::string> options) {
+    const std::string out = folder.path() + "/" + name;
+    options.insert(options.end(), {"reflect", "--size", "64x48", "--samples", "0", "--out", out});
+    EXPECT_EQ(rooms(options).status, 0);
+    return OIIO::ImageBuf(out + "/reflect.png");
+  };
+  OIIO::ImageBuf plain = draw("plain", {});
+  OIIO::ImageBuf told = draw("told", {"--culled"});
+  ASSERT_TRUE(plain.read(0, 0) && told.read(0, 0));
+  const auto differs = [&](int x0, int y0, int x1, int y1) {
+    for (int y = y0; y < y1; ++y) {
+      for (int x = x0; x < x1; ++x) {
+        for (int i = 0; i < 3; ++i) {
+          if (plain.getchannel(x, y, 0, i) != told.getchannel(x, y, 0, i)) return true;
+        }
+      }
+    }
+    return false;
+  };
+  EXPECT_TRUE(differs(2, 2, 12, 8));
+  EXPECT_FALSE(differs(32, 0, 64, 48));
+  EXPECT_FALSE(differs(0, 24, 64, 48));
+}
+
 TEST(RoomsProgram, MeasuresWhatItFinds) {
   const process::Outcome outcome = rooms({"bench", "particles", "--particles", "50", "--found", "--frames",
                                           "4", "--size", "64x48", "--error-size", "32x24", "--json"});
