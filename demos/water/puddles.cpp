@@ -11,7 +11,7 @@
 namespace water {
 namespace {
 
-constexpr int kMirrorSize = 512;
+constexpr int kMirrorSize = 1024;
 
 // About the floor.
 glm::dmat4 mirrored() {
