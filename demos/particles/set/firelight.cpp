@@ -13,6 +13,13 @@ using room::Obstacles;
 
 constexpr int kFlames = 14;
 
+// Bright light saturates but stays the fire's: per channel alone, iron beside the flames would turn grey.
+dvec3 warmFilm(const dvec3& light) {
+  const double brightest = std::max({light.r, light.g, light.b, 1e-9});
+  const dvec3 inColor = light * ((1 - std::exp(-0.9 * brightest)) / brightest);
+  return glm::mix(room::halfSaturatedAsMixed(light), inColor, 0.6);
+}
+
 // What a thing takes of the dim light on the floor beside it.
 double besideThing(double away, double foot) {
   return 1 - 0.75 * std::exp(-(away + 2 * foot) / 0.10);
@@ -57,7 +64,7 @@ room::LightBake firelightBake(const dvec3& low, const dvec3& high, const dvec3& 
   style.openness = [low, high](const LitPoint& at, const Obstacles& obstacles) {
     return opennessAt(at, obstacles, low, high);
   };
-  style.film = room::halfSaturatedAsMixed;
+  style.film = warmFilm;
   room::LightBake light(std::move(style));
   std::vector<dvec3> flames;
   for (int i = 0; i < kFlames; ++i) {

@@ -103,6 +103,8 @@ void Cellar::addBrazier() {
     metal_.append(
         room::tube({{0.33, 0.68, 0}, {0.37, 0.60, 0}, {0.34, 0.25, 0}, {0.44, 0.0, 0}}, 0.016, 0.05, 8, 2),
         turn);
+    light_.add(room::UprightCylinder{dvec3(turn * glm::dvec4(0.43, 0, 0, 1)), 0.02, 0.10});
+    light_.add(room::UprightCylinder{dvec3(turn * glm::dvec4(0.36, 0.10, 0, 1)), 0.02, 0.40});
   }
   for (int i = 0; i < 12; ++i) {
     const dmat4 turn = placed(kBrazier, i * glm::two_pi<double>() / 12);
