@@ -19,7 +19,7 @@ constexpr float kMirror = 0.82F;  // the reflection's share in the ball's color
 }  // namespace
 
 DynamicCubemap::DynamicCubemap(const room::FramebufferFunctions& gl)
-    : mapping_("reflect"), surroundings_(gl, kCubeSize), ball_(room::sphere(kBallRadius, 72, 48)) {}
+    : mapping_("reflect"), surroundings_(gl, kCubeSize), ball_(room::sphere(kBallRadius, 160, 100)) {}
 
 void DynamicCubemap::render(const Playroom& playroom, double time) {
   for (int face = 0; face < 6; ++face) {

@@ -124,7 +124,7 @@ void Parlour::addCards() {
 }
 
 void Parlour::addBall() {
-  MeshData ball = room::sphere(kBallRadius, 48, 32), there;
+  MeshData ball = room::sphere(kBallRadius, 128, 80), there;
   there.append(ball, placed(kBall));
   std::vector<glm::vec3> light = light_.vertexLight(there);
   for (glm::vec3& color : light) color *= 1.6F;
