@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The README's table of extensions is what the code lists: extensions_table.py ROOT [--write]"""
+"""The README's table of extensions is what the code lists, by name: extensions_table.py ROOT [--write]"""
 
 import pathlib
 import re
@@ -10,10 +10,15 @@ END = "<!-- end of extensions -->\n"
 ROW = re.compile(r'^ANTEROOM_(?:\w+_)?EXTENSION\((\w+), "(.*)"\)$', re.MULTILINE)
 
 
+def extensions(root):
+    """Pairs of GL or EGL and the rows of their list, each a name and a purpose."""
+    for prefix, folder in (("GL", "gl"), ("EGL", "egl")):
+        yield prefix, ROW.findall((root / "layer" / folder / "extensions.inc").read_text())
+
+
 def table(root):
     lines = []
-    for prefix, folder in (("GL", "gl"), ("EGL", "egl")):
-        rows = ROW.findall((root / "layer" / folder / "extensions.inc").read_text())
+    for prefix, rows in extensions(root):
         lines += [f"| {prefix}: {len(rows)} extensions | |", "|---|---|"]
         lines += [f"| `{prefix}_{name}` | {purpose} |" for name, purpose in rows]
         lines.append("")
@@ -24,6 +29,10 @@ def main():
     root = pathlib.Path(sys.argv[1]).resolve()
     readme = root / "README.md"
     text = readme.read_text()
+    for prefix, rows in extensions(root):
+        if rows != sorted(rows):
+            print(f"{prefix}'s list of extensions is not sorted by name")
+            return 1
     if BEGIN not in text or END not in text:
         print("README.md has no place for the table of extensions")
         return 1
