@@ -206,6 +206,7 @@ int run(int argc, char** argv) {
   CLI::App app("Renders the Rooms demos with OpenGL ES 1.1.", "rooms");
   // A later option overrides an earlier one, so that scripts can have defaults.
   app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  app.set_version_flag("--version", "rooms " ANTEROOM_VERSION);
   app.failure_message(CLI::FailureMessage::simple);
   describeRendering(app, options);
   CLI::App& benchApp =

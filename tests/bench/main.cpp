@@ -125,6 +125,7 @@ void describe(CLI::App& app, Options& options) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app("Measures an OpenGL ES 1.1 implementation: the one that is found, or several side by side.");
+  app.set_version_flag("--version", "anteroom-bench " ANTEROOM_VERSION);
   try {
     describe(app, options);
     app.parse(argc, argv);
@@ -137,9 +138,9 @@ int main(int argc, char** argv) {
     }
     return 0;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error);
+    return app.exit(error) ? 2 : 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "anteroom-bench: {}\n", error.what());
-    return 2;
+    return 1;
   }
 }

@@ -4,10 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -155,9 +155,14 @@ void reportFile() {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::string demo;
+  CLI::App app("Reports what the shader cache saves, and what it costs.");
+  app.set_version_flag("--version", "anteroom-cache-speed " ANTEROOM_VERSION);
+  app.add_option("--demo", demo)->group("");
   try {
-    if (argc == 3 && !std::strcmp(argv[1], "--demo")) {
-      drawDemo(argv[2]);
+    app.parse(argc, argv);
+    if (!demo.empty()) {
+      drawDemo(demo);
       return 0;
     }
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
@@ -170,6 +175,8 @@ int main(int argc, char** argv) {
     execl(bench.c_str(), bench.c_str(), "--compare", "--filter", "first_use.warm", "--rounds", "5",
           static_cast<char*>(nullptr));
     fmt::print(stderr, "anteroom-cache-speed: {} is not there\n", bench);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) ? 2 : 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "anteroom-cache-speed: {}\n", error.what());
   }

@@ -79,11 +79,12 @@ int compareAndReport(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  Options options;
+  CLI::App app{"Compares pictures of ours, of the float64 reference and of Mesa"};
+  app.set_version_flag("--version", "anteroom-compare " ANTEROOM_VERSION);
   try {
-    Options options;
-    CLI::App app{"Compares pictures of ours, of the float64 reference and of Mesa"};
     describe(app, options);
-    CLI11_PARSE(app, argc, argv);
+    app.parse(argc, argv);
     if (options.list) {
       for (const Scene& scene : allScenes()) fmt::print("{:40} {}\n", scene.name, scene.section);
       return 0;
@@ -94,8 +95,10 @@ int main(int argc, char** argv) {
       return 0;
     }
     return compareAndReport(options);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) ? 2 : 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "anteroom-compare: {}\n", error.what());
-    return 2;
+    return 1;
   }
 }

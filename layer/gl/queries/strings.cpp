@@ -49,7 +49,7 @@ GL_API const GLubyte* GL_APIENTRY glGetString(GLenum name) {
       text = c->rendererName.c_str();
       break;
     case GL_VERSION:
-      text = "OpenGL ES-CM 1.1";
+      text = "OpenGL ES-CM 1.1 Anteroom " ANTEROOM_VERSION;
       break;
     case GL_EXTENSIONS:
       if (c->extensions.empty()) c->extensions = join(c->device.caps());

@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit status: 0 done; 1 the answer is no; 2 usage; 3 no such file; 4 no cache, damaged or of another "
       "version; 5 cannot be read or written, or there is no device.");
+  app.set_version_flag("--version", "anteroom-cache " ANTEROOM_VERSION);
   app.require_subcommand(1);
   app.fallthrough();
   Arguments a;

@@ -10,7 +10,11 @@ int main(int argc, char** argv) {
   bool brief = false, json = false;
   program.add_flag("--brief", brief, "no extensions, configs and limits");
   program.add_flag("--json", json, "all of it, in JSON")->excludes("--brief");
-  CLI11_PARSE(program, argc, argv);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) ? 2 : 0;
+  }
   const info::Facts facts = info::ask();
   if (json)
     info::printJson(facts);
