@@ -138,9 +138,10 @@ class Prefix(Folder):
         self.assertIn(str(self.libraries / "libanteroom.so.0"), shown)
         self.assertIn(": chosen", shown)
 
-    def test_manuals(self):
+    def test_documents(self):
         for tool in (self.prefix / "bin").iterdir():
-            self.assertTrue((self.prefix / f"share/man/man1/{tool.name}.1.gz").is_file(), tool.name)
+            for file in ("man/man1/{}.1.gz", "bash-completion/completions/{}", "zsh/site-functions/_{}"):
+                self.assertTrue((self.prefix / "share" / file.format(tool.name)).is_file(), tool.name)
 
 
 @unittest.skipUnless(shutil.which("dpkg-deb") and shutil.which("dpkg-shlibdeps"), "dpkg-dev is not installed")

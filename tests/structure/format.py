@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that the C++ sources are formatted as .clang-format says: format.py ROOT CLANG_FORMAT"""
+"""Checks that the C++ sources are formatted as .clang-format says: format.py ROOT CLANG_FORMAT
+
+clang-format takes any other file for C++ and destroys it: run it on these alone.
+"""
 
 import pathlib
 import subprocess

@@ -5,7 +5,8 @@
 #include "layer/tools/info/print.h"
 
 int main(int argc, char** argv) {
-  CLI::App program{"Tells what EGL and OpenGL ES 1.1 there are, on which Vulkan device and why."};
+  CLI::App program("Tells what EGL and OpenGL ES 1.1 there are, on which Vulkan device and why.",
+                   "anteroom-info");
   program.set_version_flag("--version", "anteroom-info " ANTEROOM_VERSION);
   bool brief = false, json = false;
   program.add_flag("--brief", brief, "no extensions, configs and limits");

@@ -14,7 +14,7 @@ _anteroom_cache() {
   esac
   local options="--file --json --help"
   case ${verb} in
-    "") COMPREPLY=($(compgen -W "${verbs} ${options}" -- "${word}")) && return ;;
+    "") COMPREPLY=($(compgen -W "${verbs} ${options} --version" -- "${word}")) && return ;;
     list) options+=" --sort -n --pipelines" ;;
     show | diff) options+=" --color" ;;
     explain) options+=" --program" ;;
