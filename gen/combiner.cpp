@@ -26,7 +26,6 @@ constexpr int order(Argument a) {
 }
 
 // ---- State to combiners
-// -------------------------------------------------------------------------------------------
 
 // Tables 3.15 and 3.16.
 void translateFixedMode(GLenum mode, GLenum baseFormat, Source texture, FragmentUnit& out) {
@@ -234,7 +233,6 @@ bool translateCombine(const State& state, int unit, FragmentUnit& out) {
 }
 
 // ---- Reduction
-// ----------------------------------------------------------------------------------------------------
 
 enum class Channel { Rgb, Alpha };
 

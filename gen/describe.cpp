@@ -132,7 +132,6 @@ void visitFields(const FragmentKey& key, auto visit) {
 }
 
 // ---- Combiners: interpolate(texture0,1-previous.a,constant)*2
-// ---------------------------------------------------
 
 std::string describe(Argument argument) {
   return fmt::format("{}{}{}", complements(argument.operand) ? "1-" : "",
@@ -228,7 +227,6 @@ bool combinersInRange(const FragmentKey& key) {
 }
 
 // ---- Keys
-// ---------------------------------------------------------------------------------------------------------
 
 template <class Key>
 std::string describeKey(std::string_view stage, const Key& key) {

@@ -12,8 +12,8 @@
 
 namespace anteroom::gen {
 
-// ---- Fragment: texturing, fog, point shape, alpha test (chapters 3 and 4)
-// -----------------------------------------
+// ---- Fragment ----
+// Texturing, fog, point shape, alpha test (chapters 3 and 4).
 
 // What a combiner argument is taken from. Previous: the result so far; before the first unit, the primary
 // color. Fog: the fog factor. Output: the result of an earlier unit that is no longer the previous one.
@@ -97,8 +97,8 @@ struct FragmentKey {
   uint8_t switchOver;     // bit u: unit u is minified only from a level of detail of 0.5 (section 3.7.8)
 };
 
-// ---- Vertex: transformation, lighting, texture coordinates, point size (chapter 2)
-// --------------------------------
+// ---- Vertex ----
+// Transformation, lighting, texture coordinates, point size (chapter 2).
 
 // How the shader gets an attribute. Constant: from the constants, as no array is enabled. W1 says that the
 // array has no fourth component (it is 1); floats need not say it, vertex input fills them. Normed:

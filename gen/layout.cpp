@@ -19,7 +19,6 @@ namespace anteroom::gen {
 namespace {
 
 // ---- Types
-// --------------------------------------------------------------------------------------------------------
 
 // mat2x4 ... mat4: columns of vec4; mat3: columns of vec3 that take 16 bytes. std140 and std430 agree on all
 // these.
@@ -72,7 +71,6 @@ glm::dvec3 clampUnit(const glm::vec4& v) {
 }
 
 // ---- Vertex stage
-// -------------------------------------------------------------------------------------------------
 
 constexpr uint32_t kPushLimit = 128;  // bytes that every Vulkan device has
 
@@ -309,7 +307,6 @@ void visitVertex(const VertexKey& key, Visit visit) {
 }
 
 // ---- Fragment stage
-// -----------------------------------------------------------------------------------------------
 
 // Section 2.12.8: an alpha component has at least 2 bits.
 float alphaScale(const State& s) {
@@ -370,7 +367,6 @@ void visitFragment(const FragmentKey& key, Visit visit) {
 }
 
 // ---- Three readings of a block
-// ------------------------------------------------------------------------------------
 
 constexpr uint32_t alignUp(uint32_t offset, uint32_t align) {
   return (offset + align - 1) / align * align;

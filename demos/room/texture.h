@@ -26,8 +26,8 @@ class Texture {
 
 enum class Filter { Nearest, Linear, Mipmapped };
 
-// 1 channel becomes `singleChannel` (GL_ALPHA or GL_LUMINANCE), 2 become GL_LUMINANCE_ALPHA, 3 GL_RGB, 4
-// GL_RGBA.
+// 1 channel becomes `singleChannel` (GL_ALPHA or GL_LUMINANCE), 2 become GL_LUMINANCE_ALPHA, 3 GL_RGB and
+// 4 GL_RGBA.
 // Sizes are powers of two. wrap: GL_REPEAT or GL_CLAMP_TO_EDGE.
 Texture makeTexture(const Image& image, Filter filter, GLenum wrap, GLenum singleChannel = GL_LUMINANCE);
 

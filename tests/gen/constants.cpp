@@ -239,7 +239,6 @@ TEST(Constants, OrthogonalPalettes) {
 }
 
 // ---- Where the specification is silent
-// ----------------------------------------------------------------------------
 
 glm::dvec3 eyeNormal(const State& s, const glm::dvec3& n) {
   return normalMatrix(s) * n;

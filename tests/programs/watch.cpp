@@ -3,11 +3,11 @@
 //   WATCH_FRAMES   the numbers of the frames to keep, 3,7: back buffers just before they are shown, 0003.ppm
 //   WATCH_SHOWN    those that must then be seen on the screen, by
 //   WATCH_SCREEN   the program for that, which is given the picture and the name of a screenshot,
-//   0003-screen.png WATCH_STEP     milliseconds by which the time of SDL goes on whenever the program has
-//   seen to all events; SDL asks
-//                  it to end after the last frame to keep
+//                  0003-screen.png
+//   WATCH_STEP     milliseconds by which the time of SDL goes on whenever the program has seen to all
+//                  events; SDL asks it to end after the last frame to keep
 //   WATCH_LIGHT    by which the colors of all lights are multiplied, where the program is linked to
-//   libGLESv1_CM.so.1
+//                  libGLESv1_CM.so.1
 #include <GLES/gl.h>
 #include <GLFW/glfw3.h>
 #include <SDL.h>
