@@ -25,6 +25,11 @@ foreach(component runtime development)
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${package} COMPONENT ${component})
 endforeach()
 
+add_custom_target(uninstall
+  COMMAND ${CMAKE_COMMAND} -DMANIFEST=${PROJECT_BINARY_DIR}/install_manifest.txt
+          -P ${CMAKE_CURRENT_LIST_DIR}/Uninstall.cmake
+  VERBATIM)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME anteroom)
 set(CPACK_PACKAGE_VENDOR "the Anteroom project")

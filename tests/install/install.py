@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Installs into a folder, moves it and uses it; makes the Debian packages and installs them below another folder.
 
-install.py BUILD_FOLDER SOURCE_FOLDER LIBDIR CMAKE
+install.py BUILD_FOLDER SOURCE_FOLDER LIBDIR CMAKE VERSION SUITE
 
 Nothing outside a temporary folder is written.
 """
@@ -17,7 +17,7 @@ import tempfile
 import unittest
 
 BUILD, SOURCE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-LIBDIR, CMAKE = sys.argv[3:5]
+LIBDIR, CMAKE, VERSION = sys.argv[3:6]
 PROGRAM = SOURCE / "tests/install/program.c"
 DRAWN = "EGL Anteroom, GL Anteroom, 0 255 0\n"
 OURS = ("LD_LIBRARY_PATH", "LD_PRELOAD", "__EGL_VENDOR_LIBRARY_FILENAMES", "__EGL_VENDOR_LIBRARY_DIRS", "DESTDIR")
@@ -55,6 +55,15 @@ class Prefix(Folder):
         cls.program = cls.folder / "program"
         run("cc", PROGRAM, "-o", cls.program, "-lEGL", "-lGLESv1_CM")
 
+    def test_uninstall(self):
+        prefix = self.folder / "second"
+        run(CMAKE, "--install", BUILD, "--prefix", prefix)
+        other = prefix / "bin/other"
+        other.touch()
+        run(CMAKE, f"-DMANIFEST={BUILD / 'install_manifest.txt'}", "-P", SOURCE / "cmake/Uninstall.cmake")
+        self.assertEqual([path for path in prefix.rglob("*") if not path.is_dir()], [other])
+        self.assertEqual([path for path in prefix.rglob("*") if "anteroom" in path.name.lower()], [])
+
     def test_nothing_points_to_the_build(self):
         for path in [*self.libraries.iterdir(), *(self.prefix / "bin").iterdir()]:
             if path.read_bytes()[:4] != b"\x7fELF":
@@ -82,7 +91,8 @@ class Prefix(Folder):
 
     def test_find_package(self):
         build = self.folder / "by_find_package"
-        run(CMAKE, "-S", SOURCE / "tests/install/project", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run(CMAKE, "-S", SOURCE / "tests/install/project", "-B", build, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+            f"-DWANTED={VERSION}")
         run(CMAKE, "--build", build)
         self.assertEqual(run(build / "program").stdout, DRAWN)
 
@@ -202,4 +212,4 @@ class Packages(Folder):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[5:], verbosity=2)
+    unittest.main(argv=sys.argv[:1] + sys.argv[6:], verbosity=2)
