@@ -2,8 +2,10 @@
 // names.
 #include <OpenImageIO/imageio.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "native.h"
 
@@ -24,9 +26,14 @@ bool write(const char* path, const windows::Image& image) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: anteroom-screenshot FILE.png\n");
-    return 2;
+  CLI::App app("Writes what is on the screen of the X or Wayland server that the environment names.");
+  app.set_version_flag("--version", "anteroom-screenshot " ANTEROOM_VERSION);
+  std::string file;
+  app.add_option("FILE", file, "the picture, for instance screen.png")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) ? 2 : 0;
   }
   const auto platforms = windows::platforms();
   if (platforms.empty()) {
@@ -35,8 +42,8 @@ int main(int argc, char** argv) {
   }
   try {
     // Wayland where there is both.
-    if (write(argv[1], windows::NativeDisplay::open(platforms.back())->screen())) return 0;
-    std::fprintf(stderr, "anteroom-screenshot: cannot write %s\n", argv[1]);
+    if (write(file.c_str(), windows::NativeDisplay::open(platforms.back())->screen())) return 0;
+    std::fprintf(stderr, "anteroom-screenshot: cannot write %s\n", file.c_str());
   } catch (const std::exception& failure) {
     std::fprintf(stderr, "anteroom-screenshot: %s\n", failure.what());
   }
