@@ -16,5 +16,5 @@ list(SORT lines)
 string(SHA256 hash "${lines}")
 string(SUBSTRING ${hash} 0 16 hash)
 file(WRITE "${OUT}" "// Made by GeneratorVersion.cmake.\n#include \"layer/cache/generator_version.h\"\n\n"
-  "namespace anteroom::gen {\n\nstd::string_view generatorVersion() { return \"${hash}\"; }\n\n"
-  "}  // namespace anteroom::gen\n")
+  "namespace anteroom::cache {\n\nstd::string_view generatorVersion() { return \"${hash}\"; }\n\n"
+  "}  // namespace anteroom::cache\n")

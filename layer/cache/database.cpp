@@ -1,6 +1,6 @@
 #include "layer/cache/database.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr int kLongestValue = 4 << 20;
@@ -73,4 +73,4 @@ Statement Database::prepare(const char* sql, int* result) {
   return statement;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 class Statement {
  public:
@@ -62,4 +62,4 @@ class Database {
   std::unique_ptr<sqlite3, Close> handle_;
 };
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

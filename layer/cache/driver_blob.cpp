@@ -11,7 +11,7 @@
 #include <cstring>
 #include <string>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr uint64_t kMagic = 0x31424c42544e41;  // "ANTBLB1"
@@ -99,4 +99,4 @@ void keepNewestBlobs(const std::filesystem::path& folder, const std::string& pre
   for (size_t i = most; i < found.size(); ++i) std::filesystem::remove(found[i].second, ignored);
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 // Empty: there is none, or not whole.
 std::vector<std::byte> readDriverBlob(const std::filesystem::path& file);
@@ -16,4 +16,4 @@ bool writeDriverBlob(const std::filesystem::path& file, std::span<const std::byt
 // Removes the files in `folder` whose names begin with `prefix`, but the `most` that were written last.
 void keepNewestBlobs(const std::filesystem::path& folder, const std::string& prefix, size_t most);
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

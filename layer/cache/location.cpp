@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr uint64_t kDefaultLimit = 64 << 20;
@@ -40,4 +40,4 @@ uint64_t cacheLimit() {
   return value << shift;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 struct CacheLocation {
   std::filesystem::path file;  // empty: there is no cache
@@ -19,4 +19,4 @@ CacheLocation cacheLocation();
 // $ANTEROOM_CACHE_LIMIT in bytes (suffixes K, M and G), else 64 MiB.
 uint64_t cacheLimit();
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 // A thread that takes no signals: they are for the program's own threads. Not joinable: there is none to be
 // had.
@@ -33,4 +33,4 @@ inline void forget(std::thread& thread) {
   if (thread.joinable()) forgotten.push_back(std::move(thread));
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -12,7 +12,7 @@
 
 #include "layer/cache/generator_version.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr size_t kLongestText = 1 << 20;
@@ -56,9 +56,9 @@ int64_t shaderNumber(int64_t id, std::string_view generator) {
 bool validKey(KeyKind kind, KeyBytes key) {
   switch (kind) {
     case KeyKind::Vertex:
-      return isValid<VertexKey>(key);
+      return isValid<gen::VertexKey>(key);
     case KeyKind::Fragment:
-      return isValid<FragmentKey>(key);
+      return isValid<gen::FragmentKey>(key);
     case KeyKind::VertexText:
     case KeyKind::FragmentText:
       return key.size() <= kLongestText && textOf(key).starts_with(kTextBegins);
@@ -67,19 +67,19 @@ bool validKey(KeyKind kind, KeyBytes key) {
 }
 
 std::string emit(KeyKind kind, KeyBytes key) {
-  if (kind == KeyKind::Vertex) return emitVertex(as<VertexKey>(key));
-  if (kind == KeyKind::Fragment) return emitFragment(as<FragmentKey>(key));
+  if (kind == KeyKind::Vertex) return emitVertex(as<gen::VertexKey>(key));
+  if (kind == KeyKind::Fragment) return emitFragment(as<gen::FragmentKey>(key));
   return std::string(textOf(key));
 }
 
 std::string wordsOf(KeyKind kind, KeyBytes key) {
-  if (kind == KeyKind::Vertex) return describe(as<VertexKey>(key));
-  if (kind == KeyKind::Fragment) return describe(as<FragmentKey>(key));
+  if (kind == KeyKind::Vertex) return describe(as<gen::VertexKey>(key));
+  if (kind == KeyKind::Fragment) return describe(as<gen::FragmentKey>(key));
   return std::string(textOf(key));
 }
 
-bool keyOf(Stage stage, const std::string& words, KeyKind& kind, std::vector<std::byte>& key) {
-  const bool vertex = stage == Stage::Vertex;
+bool keyOf(gen::Stage stage, const std::string& words, KeyKind& kind, std::vector<std::byte>& key) {
+  const bool vertex = stage == gen::Stage::Vertex;
   if (words.starts_with(kTextBegins)) {
     kind = vertex ? KeyKind::VertexText : KeyKind::FragmentText;
     const auto view = std::as_bytes(std::span(words));
@@ -87,7 +87,7 @@ bool keyOf(Stage stage, const std::string& words, KeyKind& kind, std::vector<std
     return validKey(kind, key);
   }
   kind = vertex ? KeyKind::Vertex : KeyKind::Fragment;
-  return vertex ? parsed<VertexKey>(words, key) : parsed<FragmentKey>(words, key);
+  return vertex ? parsed<gen::VertexKey>(words, key) : parsed<gen::FragmentKey>(words, key);
 }
 
 bool ShaderRow::current() const {
@@ -111,7 +111,7 @@ ShaderRow makeRow(KeyKind kind, KeyBytes key, std::string glsl, std::vector<uint
   row.generator = generatorVersion();
   const bool own = kind == KeyKind::VertexText || kind == KeyKind::FragmentText;
   row.description = own ? fmt::format("the renderer's own {} shader",
-                                      stageOf(kind) == Stage::Vertex ? "vertex" : "fragment")
+                                      stageOf(kind) == gen::Stage::Vertex ? "vertex" : "fragment")
                         : wordsOf(kind, key);
   row.glsl = std::move(glsl);
   row.spirv = std::move(spirv);
@@ -140,4 +140,4 @@ Program thisProgram() {
   return program;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

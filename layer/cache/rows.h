@@ -9,13 +9,13 @@
 
 #include "gen/gen.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
-// What a shader's key is: the bytes of a VertexKey or FragmentKey, or, for shaders that no key makes, their
+// What a shader's key is: the bytes of a gen::VertexKey or FragmentKey, or, for shaders that no key makes, their
 // GLSL.
 enum class KeyKind : uint8_t { Vertex, Fragment, VertexText, FragmentText };
-constexpr Stage stageOf(KeyKind kind) {
-  return kind == KeyKind::Vertex || kind == KeyKind::VertexText ? Stage::Vertex : Stage::Fragment;
+constexpr gen::Stage stageOf(KeyKind kind) {
+  return kind == KeyKind::Vertex || kind == KeyKind::VertexText ? gen::Stage::Vertex : gen::Stage::Fragment;
 }
 
 using KeyBytes = std::span<const std::byte>;
@@ -35,7 +35,7 @@ bool validKey(KeyKind kind, KeyBytes key);
 // A key as text that no generator's layout of keys changes: in words, or GLSL.
 std::string wordsOf(KeyKind kind, KeyBytes key);
 // And back. False: this generator makes no such key.
-bool keyOf(Stage stage, const std::string& words, KeyKind& kind, std::vector<std::byte>& key);
+bool keyOf(gen::Stage stage, const std::string& words, KeyKind& kind, std::vector<std::byte>& key);
 
 struct ShaderRow {
   KeyKind kind = KeyKind::Vertex;
@@ -84,4 +84,4 @@ struct UsageRow {
   int64_t place = 0;     // in the order of first use
 };
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -5,7 +5,7 @@
 #include "layer/cache/generator_version.h"
 #include "layer/cache/rows.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr int64_t kApplication = 0x414e5445;  // "ANTE"
@@ -64,4 +64,4 @@ int makeSchema(Database& database, SchemaState from) {
   return result;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

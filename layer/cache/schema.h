@@ -2,7 +2,7 @@
 
 #include "layer/cache/database.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 enum class SchemaState { Empty, Older, Current, Newer, Foreign, Error };
 
@@ -11,4 +11,4 @@ SchemaState schemaState(Database& database);
 // From Empty or Older, inside a transaction. An SQLite code.
 int makeSchema(Database& database, SchemaState from);
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

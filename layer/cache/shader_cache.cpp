@@ -12,7 +12,7 @@
 #include "layer/cache/location.h"
 #include "layer/cache/quiet_thread.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 using namespace std::chrono_literals;
@@ -45,7 +45,7 @@ ShaderCache::ShaderCache(std::filesystem::path file, uint64_t limitBytes)
 
 ShaderCache::~ShaderCache() {
   close();
-  gen::forget(thread_);
+  cache::forget(thread_);
 }
 
 ShaderCache& ShaderCache::process() {
@@ -307,4 +307,4 @@ void ShaderCache::write(const Work& work) {
   }
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -12,7 +12,7 @@
 
 #include "layer/cache/store.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 struct CacheCounts {
   uint64_t hits = 0, misses = 0;  // look-ups
@@ -106,4 +106,4 @@ class ShaderCache {
   std::thread thread_;
 };
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

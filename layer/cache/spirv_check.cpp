@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr uint32_t kMagic = 0x07230203;
@@ -32,4 +32,4 @@ bool plausibleSpirv(std::span<const std::byte> bytes) {
   return at == words;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -12,7 +12,7 @@
 #include "layer/cache/schema.h"
 #include "layer/cache/spirv_check.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr const char* kFind = "SELECT kind, generator, checksum, key, spirv FROM shader WHERE number = ?";
@@ -245,4 +245,4 @@ bool Store::visitShaders(const VisitShader& visit) {
   return code == SQLITE_DONE;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

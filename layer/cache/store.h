@@ -9,7 +9,7 @@
 #include "layer/cache/database.h"
 #include "layer/cache/rows.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 
 // Older: only for a reader; who may write brings the file up to date.
 enum class Opened { Ok, Missing, Foreign, Older, Newer, Damaged, Unusable };
@@ -76,4 +76,4 @@ class Store {
   Statement find_, put_, touch_, putPipeline_, touchPipeline_, use_, putUsage_, putProgram_;
 };
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

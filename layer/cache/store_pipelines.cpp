@@ -1,7 +1,7 @@
 // The pipelines of a Store, and which program needed them when.
 #include "layer/cache/store.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 namespace {
 
 constexpr int64_t kRunsThatCount = 4;   // a pipeline that as many runs did without is no longer usual
@@ -161,4 +161,4 @@ std::vector<PipelineRow> Store::usual(int64_t program, int64_t most) {
   return rows;
 }
 
-}  // namespace anteroom::gen
+}  // namespace anteroom::cache

@@ -9,7 +9,7 @@
 #include "layer/render/debug_options.h"
 #include "layer/render/renderer.h"
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 struct PipelineRow;
 }
 
@@ -27,7 +27,7 @@ std::unique_ptr<render::Device> createDevice(const DeviceOptions& options, std::
 
 // Makes pipelines of the shader cache, as a program would before it draws, and saves what the driver keeps of
 // them. `device` is of createDevice(). How many are for it.
-size_t makePipelines(render::Device& device, std::span<const gen::PipelineRow> rows);
+size_t makePipelines(render::Device& device, std::span<const cache::PipelineRow> rows);
 
 // Messages of the validation layer so far in this process.
 unsigned validationMessages();

@@ -12,12 +12,12 @@ constexpr int kRows = 4;
 
 // A closed cache of kRows rows, all in the one file.
 void fill(const std::filesystem::path& file) {
-  gen::ShaderCache cache(file, kNoLimit);
+  cache::ShaderCache cache(file, kNoLimit);
   for (int i = 0; i < kRows; ++i) storeRow(cache, i);
 }
 
 // As a program does: look up, else store. How many were found; each of them right.
-int use(gen::ShaderCache& cache) {
+int use(cache::ShaderCache& cache) {
   int found = 0;
   for (int i = 0; i < kRows; ++i) {
     const auto spirv = findRow(cache, i);
@@ -32,7 +32,7 @@ int use(gen::ShaderCache& cache) {
 }
 
 int useOnce(const std::filesystem::path& file) {
-  gen::ShaderCache cache(file, kNoLimit);
+  cache::ShaderCache cache(file, kNoLimit);
   return use(cache);
 }
 
@@ -44,7 +44,7 @@ bool repairs(const std::filesystem::path& file) {
 }
 
 void run(const std::filesystem::path& file, const char* sql) {
-  gen::Database database;
+  cache::Database database;
   ASSERT_EQ(database.open(file, SQLITE_OPEN_READWRITE, 1000), SQLITE_OK);
   ASSERT_EQ(database.run(sql), SQLITE_OK) << database.message();
 }
@@ -64,12 +64,12 @@ TEST(Damage, EveryByteFlippedOnceGivesNoWrongShader) {
     std::string bad = good;
     bad[at] = static_cast<char>(bad[at] ^ (1 << at % 8));
     place(folder.file(), bad);
-    gen::Store store;
-    if (store.open(folder.file(), gen::Store::Mode::Write) != gen::Opened::Ok) continue;
+    cache::Store store;
+    if (store.open(folder.file(), cache::Store::Mode::Write) != cache::Opened::Ok) continue;
     for (int i = 0; i < kRows; ++i) {
       const std::string key = keyText(i);
       std::vector<uint32_t> spirv;
-      if (store.find(gen::KeyKind::VertexText, keyBytes(key), spirv) != gen::Found::Hit) continue;
+      if (store.find(cache::KeyKind::VertexText, keyBytes(key), spirv) != cache::Found::Hit) continue;
       ++hits;
       ASSERT_EQ(spirv, spirvOf(i)) << "byte " << at;
     }
@@ -111,7 +111,7 @@ TEST(Damage, IsCountedARow) {
   run(folder.file(),
       "UPDATE shader SET checksum = checksum + 1 WHERE id = (SELECT min(id) FROM shader);"
       "UPDATE shader SET spirv = zeroblob(length(spirv)) WHERE id = (SELECT max(id) FROM shader)");
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   EXPECT_EQ(use(cache), kRows - 2);
   EXPECT_EQ(cache.counts().damaged, 2u);
   cache.flush();
@@ -123,7 +123,7 @@ TEST(Damage, AForeignFileIsKeptAside) {
   const Folder folder;
   const std::string poem(5000, 'x');
   replace(folder.file(), poem);
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   EXPECT_EQ(use(cache), 0);
   EXPECT_EQ(cache.counts().damaged, 1u);
   cache.flush();
@@ -134,7 +134,7 @@ TEST(Damage, AForeignFileIsKeptAside) {
 TEST(Damage, SomebodyElsesDatabaseIsKeptAside) {
   const Folder folder;
   {
-    gen::Database database;
+    cache::Database database;
     ASSERT_EQ(database.open(folder.file(), SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, 100), SQLITE_OK);
     ASSERT_EQ(database.run("CREATE TABLE shader(a); INSERT INTO shader VALUES(1)"), SQLITE_OK);
   }
@@ -150,7 +150,7 @@ TEST(Damage, ANewerFileIsLeftAlone) {
   run(folder.file(), "PRAGMA user_version = 3");
   testing::internal::CaptureStderr();
   {
-    gen::ShaderCache cache(folder.file(), kNoLimit);
+    cache::ShaderCache cache(folder.file(), kNoLimit);
     EXPECT_EQ(use(cache), 0);
     cache.flush();
     EXPECT_EQ(use(cache), 0);
@@ -176,25 +176,25 @@ TEST(Damage, AnOlderFileIsBroughtUpToDate) {
       " spirv, glsl FROM shader;"
       "DROP TABLE shader; DROP TABLE pipeline; DROP TABLE program; DROP TABLE usage;"
       "ALTER TABLE old RENAME TO shader; CREATE INDEX shader_used ON shader(used); PRAGMA user_version = 1");
-  gen::Store store;
-  EXPECT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Older);
+  cache::Store store;
+  EXPECT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Older);
   EXPECT_EQ(useOnce(folder.file()), kRows);
-  EXPECT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  EXPECT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Ok);
 }
 
 TEST(Damage, RowsOfAnotherGeneratorAreMadeAgain) {
   const Folder folder;
   fill(folder.file());
   run(folder.file(), "UPDATE shader SET generator = 'another', number = number + 1");
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   EXPECT_FALSE(cache.filled());
   EXPECT_EQ(use(cache), 0);
   cache.flush();
   EXPECT_EQ(use(cache), kRows);
   EXPECT_EQ(cache.counts().damaged, 0u);
   cache.close();
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Ok);
   EXPECT_EQ(store.database().ask("SELECT count(*) FROM shader WHERE generator = 'another'", 0), kRows);
 }
 

@@ -9,14 +9,14 @@ namespace {
 
 // One run of this program.
 void runWith(const Folder& folder, const std::vector<int>& pipelines) {
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   for (int i : pipelines) cache.use(pipelineOf(i));
 }
 
 std::vector<int> usual(const Folder& folder) {
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   std::vector<int> result;
-  for (const gen::PipelineRow& row : cache.usualPipelines())
+  for (const cache::PipelineRow& row : cache.usualPipelines())
     for (int i = 0; i < 1000; ++i)
       if (pipelineOf(i).id() == row.id()) result.push_back(i);
   return result;
@@ -54,8 +54,8 @@ TEST(Pipelines, AreBounded) {
 
 TEST(Pipelines, ProgramsAreForgotten) {
   const Folder folder;
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Create), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Create), cache::Opened::Ok);
   ASSERT_TRUE(store.put(pipelineOf(1)));
   for (int i = 1; i <= 300; ++i) {
     const int64_t run = store.beginRun({i, "program"}, i);
@@ -70,31 +70,31 @@ TEST(Pipelines, ProgramsAreForgotten) {
 TEST(Pipelines, ARowWithAnotherTextIsNotBelieved) {
   const Folder folder;
   runWith(folder, {1, 2});
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Write), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Write), cache::Opened::Ok);
   ASSERT_EQ(store.database().run("UPDATE pipeline SET state = 'primitive=points' WHERE vertex = 'vertex 1'"),
             SQLITE_OK);
   EXPECT_EQ(usual(folder), (std::vector{2}));
   int bad = 0;
-  EXPECT_TRUE(
-      store.visitPipelines([&](int64_t, gen::PipelineRow&, const std::string& why) { bad += !why.empty(); }));
+  EXPECT_TRUE(store.visitPipelines(
+      [&](int64_t, cache::PipelineRow&, const std::string& why) { bad += !why.empty(); }));
   EXPECT_EQ(bad, 1);
 }
 
 TEST(Pipelines, TheLimitHoldsForThemToo) {
   const Folder folder;
   {
-    gen::ShaderCache cache(folder.file(), 256 << 10);
+    cache::ShaderCache cache(folder.file(), 256 << 10);
     for (int i = 0; i < 2000; ++i) {
-      gen::PipelineRow row = pipelineOf(i);
+      cache::PipelineRow row = pipelineOf(i);
       row.state.append(1000, 'x');
       cache.use(std::move(row));
     }
     cache.flush();
     storeRow(cache, 1);
   }
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Ok);
   const int64_t left = store.database().ask("SELECT count(*) FROM pipeline", 0);
   EXPECT_GT(left, 20);
   EXPECT_LT(left, 300);
@@ -110,21 +110,21 @@ std::vector<std::byte> blobOf(size_t size) {
 TEST(DriverBlob, IsReadAsItWasWrittenOrNotAtAll) {
   const Folder folder;
   const auto file = folder.path / "driver";
-  EXPECT_TRUE(gen::readDriverBlob(file).empty());
-  ASSERT_TRUE(gen::writeDriverBlob(file, blobOf(300)));
-  ASSERT_TRUE(gen::writeDriverBlob(file, blobOf(400)));
-  EXPECT_EQ(gen::readDriverBlob(file), blobOf(400));
+  EXPECT_TRUE(cache::readDriverBlob(file).empty());
+  ASSERT_TRUE(cache::writeDriverBlob(file, blobOf(300)));
+  ASSERT_TRUE(cache::writeDriverBlob(file, blobOf(400)));
+  EXPECT_EQ(cache::readDriverBlob(file), blobOf(400));
   const std::string good = contents(file);
   for (size_t at = 0; at < good.size(); ++at) {
     std::string bad = good;
     bad[at] = static_cast<char>(bad[at] ^ (1 << at % 8));
     replace(file, bad);
-    ASSERT_TRUE(gen::readDriverBlob(file).empty()) << "byte " << at;
+    ASSERT_TRUE(cache::readDriverBlob(file).empty()) << "byte " << at;
     replace(file, good.substr(0, at));
-    ASSERT_TRUE(gen::readDriverBlob(file).empty()) << "cut to " << at;
+    ASSERT_TRUE(cache::readDriverBlob(file).empty()) << "cut to " << at;
   }
-  EXPECT_TRUE(gen::readDriverBlob(folder.path).empty());
-  EXPECT_FALSE(gen::writeDriverBlob("/proc/driver", blobOf(10)));
+  EXPECT_TRUE(cache::readDriverBlob(folder.path).empty());
+  EXPECT_FALSE(cache::writeDriverBlob("/proc/driver", blobOf(10)));
 }
 
 TEST(DriverBlob, TheNewestAreKept) {
@@ -132,11 +132,11 @@ TEST(DriverBlob, TheNewestAreKept) {
   const auto now = std::filesystem::file_time_type::clock::now();
   for (int i = 0; i < 5; ++i) {
     const auto file = folder.path / ("driver-a-" + std::to_string(i));
-    ASSERT_TRUE(gen::writeDriverBlob(file, blobOf(10)));
+    ASSERT_TRUE(cache::writeDriverBlob(file, blobOf(10)));
     std::filesystem::last_write_time(file, now - std::chrono::hours(i));
   }
-  ASSERT_TRUE(gen::writeDriverBlob(folder.path / "driver-b-0", blobOf(10)));
-  gen::keepNewestBlobs(folder.path, "driver-a-", 2);
+  ASSERT_TRUE(cache::writeDriverBlob(folder.path / "driver-b-0", blobOf(10)));
+  cache::keepNewestBlobs(folder.path, "driver-a-", 2);
   std::vector<std::string> left;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path))
     left.push_back(entry.path().filename());

@@ -11,7 +11,7 @@ namespace {
 std::string saidBy(const std::filesystem::path& file, int rows) {
   testing::internal::CaptureStderr();
   {
-    gen::ShaderCache cache(file, kNoLimit);
+    cache::ShaderCache cache(file, kNoLimit);
     for (int i = 0; i < rows; ++i) {
       const auto found = findRow(cache, i);
       if (found.empty())

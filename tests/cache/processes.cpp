@@ -17,7 +17,7 @@ TEST(Processes, EightWriteAtOnce) {
   std::vector<int> children;
   for (int p = 0; p < 8; ++p)
     children.push_back(fork([&] {
-      gen::ShaderCache cache(folder.file(), kNoLimit);
+      cache::ShaderCache cache(folder.file(), kNoLimit);
       for (int i = 0; i < kEach; ++i) {
         // Half of them are everyone's.
         const int row = i % 2 ? i : p * 1000 + i;
@@ -28,7 +28,7 @@ TEST(Processes, EightWriteAtOnce) {
       return cache.counts().damaged == 0 ? 0 : 1;
     }));
   for (int child : children) EXPECT_EQ(join(child), 0);
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   for (int p = 0; p < 8; ++p)
     for (int i = 0; i < kEach; ++i) {
       const int row = i % 2 ? i : p * 1000 + i;
@@ -38,7 +38,7 @@ TEST(Processes, EightWriteAtOnce) {
 
 // A child that stores row after row, and tells which ones are committed, until it is killed.
 int storeUntilKilled(const std::filesystem::path& file, int next, int told) {
-  gen::ShaderCache cache(file, kNoLimit);
+  cache::ShaderCache cache(file, kNoLimit);
   for (int i = next;; ++i) {
     storeRow(cache, i, 500);
     cache.use(pipelineOf(i));
@@ -50,10 +50,10 @@ int storeUntilKilled(const std::filesystem::path& file, int next, int told) {
 
 // The pipelines of rows before `end` that are there.
 int pipelinesThere(const std::filesystem::path& file, int end) {
-  gen::Store store;
-  EXPECT_EQ(store.open(file, gen::Store::Mode::Read), gen::Opened::Ok);
+  cache::Store store;
+  EXPECT_EQ(store.open(file, cache::Store::Mode::Read), cache::Opened::Ok);
   std::set<int64_t> found;
-  EXPECT_TRUE(store.visitPipelines([&](int64_t id, gen::PipelineRow&, const std::string& why) {
+  EXPECT_TRUE(store.visitPipelines([&](int64_t id, cache::PipelineRow&, const std::string& why) {
     EXPECT_EQ(why, "");
     found.insert(id);
   }));
@@ -82,7 +82,7 @@ TEST(Processes, AKillLosesNoCommittedRow) {
       ++told;
     }
     close(pipe[0]);
-    gen::ShaderCache cache(folder.file(), kNoLimit);
+    cache::ShaderCache cache(folder.file(), kNoLimit);
     for (int i = begun; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500)) << "round " << round;
     EXPECT_EQ(cache.counts().damaged, 0u);
     ++next;  // it may or may not be there
@@ -90,14 +90,14 @@ TEST(Processes, AKillLosesNoCommittedRow) {
     cache.use(pipelineOf(next - 1));
   }
   EXPECT_GT(told, 100);
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   for (int i = 0; i < next; ++i) ASSERT_EQ(findRow(cache, i), spirvOf(i, 500));
   EXPECT_EQ(pipelinesThere(folder.file(), next), next);
 }
 
 TEST(Processes, AForkedChildLeavesTheCacheAlone) {
   const Folder folder;
-  auto* cache = new gen::ShaderCache(folder.file(), kNoLimit);
+  auto* cache = new cache::ShaderCache(folder.file(), kNoLimit);
   storeRow(*cache, 1);
   cache->flush();
   const int child = fork([&] {
@@ -111,7 +111,7 @@ TEST(Processes, AForkedChildLeavesTheCacheAlone) {
   EXPECT_TRUE(findRow(*cache, 2).empty());
   storeRow(*cache, 2);
   delete cache;
-  gen::ShaderCache again(folder.file(), kNoLimit);
+  cache::ShaderCache again(folder.file(), kNoLimit);
   EXPECT_EQ(findRow(again, 2), spirvOf(2));
 }
 

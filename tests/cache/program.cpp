@@ -99,8 +99,8 @@ TEST_P(Ahead, NothingIsMadeThatTheProgramDoesNotUse) {
 
 TEST_P(Ahead, AnotherGeneratorsPipelinesAreMade) {
   const Drawn first = draw(0);
-  gen::Store store;
-  ASSERT_EQ(store.open(folder_.file(), gen::Store::Mode::Write), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder_.file(), cache::Store::Mode::Write), cache::Opened::Ok);
   ASSERT_EQ(store.database().run(
                 "UPDATE shader SET generator = 'another', key = x'00', number = number + 1, id = id + 1"),
             SQLITE_OK);
@@ -114,13 +114,13 @@ TEST_P(Ahead, AnotherGeneratorsPipelinesAreMade) {
 // Rows that say what no renderer says, for the same program: none is made, all else is drawn as ever.
 TEST_P(Ahead, HostileRowsAreRefused) {
   const Drawn first = draw(0);
-  gen::Store store;
-  ASSERT_EQ(store.open(folder_.file(), gen::Store::Mode::Write), gen::Opened::Ok);
-  std::vector<gen::PipelineRow> rows;
+  cache::Store store;
+  ASSERT_EQ(store.open(folder_.file(), cache::Store::Mode::Write), cache::Opened::Ok);
+  std::vector<cache::PipelineRow> rows;
   ASSERT_TRUE(store.visitPipelines(
-      [&](int64_t, gen::PipelineRow& row, const std::string&) { rows.push_back(std::move(row)); }));
-  gen::UsageRow usage;
-  ASSERT_TRUE(store.visitUsage([&](const gen::UsageRow& row) { usage = row; }));
+      [&](int64_t, cache::PipelineRow& row, const std::string&) { rows.push_back(std::move(row)); }));
+  cache::UsageRow usage;
+  ASSERT_TRUE(store.visitUsage([&](const cache::UsageRow& row) { usage = row; }));
   const auto key = std::find_if(rows.begin(), rows.end(), [](const auto& row) {
     return row.fragment.find("fog") != std::string::npos;
   });
@@ -129,7 +129,7 @@ TEST_P(Ahead, HostileRowsAreRefused) {
   const auto own =
       std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.vertex[0] == '#'; });
   ASSERT_TRUE(key != rows.end() && plain != rows.end() && own != rows.end());
-  std::vector<gen::PipelineRow> bad;
+  std::vector<cache::PipelineRow> bad;
   const auto with = [&](auto change) { change(bad.emplace_back(*key)); };
   for (const char* more :
        {" samples=3", " samples=64", " color=D16_UNORM", " depth=R8G8B8A8_UNORM", " color=37",
@@ -145,7 +145,7 @@ TEST_P(Ahead, HostileRowsAreRefused) {
   with([](auto& row) { row.fragment = "#version 450\nvoid main() {}\n"; });
   with([](auto& row) { std::swap(row.vertex, row.fragment); });
   usage.uses = 1000;  // before all others
-  for (gen::PipelineRow& row : bad) {
+  for (cache::PipelineRow& row : bad) {
     usage.pipeline = row.id();
     ASSERT_TRUE(store.put(row) && store.put(usage));
   }
@@ -180,7 +180,7 @@ TEST(Program, ADriversBlobOfAnotherKindDoesNoHarm) {
     EXPECT_TRUE(entry.path().filename().string().starts_with("anteroom.db")) << entry.path();
   const std::vector<std::byte> noise(5000, std::byte{0x5a});
   for (const char* name : {"driver-10005-0000-00000001", "driver-10005-0000-05806003"})
-    EXPECT_TRUE(gen::writeDriverBlob(folder.path / name, noise));
+    EXPECT_TRUE(cache::writeDriverBlob(folder.path / name, noise));
   const Drawn second = drawWith(folder.path);
   EXPECT_EQ(second.picture, first.picture);
   EXPECT_EQ(second.err, "");

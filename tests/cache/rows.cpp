@@ -26,7 +26,7 @@ std::string keyText(int i) {
   return "#version 450\n// " + std::to_string(i) + "\n";
 }
 
-gen::KeyBytes keyBytes(const std::string& text) {
+cache::KeyBytes keyBytes(const std::string& text) {
   return std::as_bytes(std::span(text));
 }
 
@@ -37,18 +37,18 @@ std::vector<uint32_t> spirvOf(int i, int words) {
   return spirv;
 }
 
-void storeRow(gen::ShaderCache& cache, int i, int words) {
+void storeRow(cache::ShaderCache& cache, int i, int words) {
   const std::string key = keyText(i);
-  cache.store(gen::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, words), 1000 + i);
+  cache.store(cache::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, words), 1000 + i);
 }
 
-std::vector<uint32_t> findRow(gen::ShaderCache& cache, int i) {
+std::vector<uint32_t> findRow(cache::ShaderCache& cache, int i) {
   const std::string key = keyText(i);
-  return cache.find(gen::KeyKind::VertexText, keyBytes(key));
+  return cache.find(cache::KeyKind::VertexText, keyBytes(key));
 }
 
-gen::PipelineRow pipelineOf(int i) {
-  gen::PipelineRow row;
+cache::PipelineRow pipelineOf(int i) {
+  cache::PipelineRow row;
   row.vertex = "vertex " + std::to_string(i);
   row.fragment = "fragment";
   row.state = "primitive=triangles";

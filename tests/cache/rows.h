@@ -27,13 +27,13 @@ inline constexpr uint64_t kNoLimit = UINT64_MAX;
 
 // Row number i: a key of text, and words that pass for SPIR-V and differ from every other row's.
 std::string keyText(int i);
-gen::KeyBytes keyBytes(const std::string& text);
+cache::KeyBytes keyBytes(const std::string& text);
 std::vector<uint32_t> spirvOf(int i, int words = 64);
-void storeRow(gen::ShaderCache& cache, int i, int words = 64);
-std::vector<uint32_t> findRow(gen::ShaderCache& cache, int i);
+void storeRow(cache::ShaderCache& cache, int i, int words = 64);
+std::vector<uint32_t> findRow(cache::ShaderCache& cache, int i);
 
 // Pipeline number i, unlike every other.
-gen::PipelineRow pipelineOf(int i);
+cache::PipelineRow pipelineOf(int i);
 
 std::string contents(const std::filesystem::path& file);
 void replace(const std::filesystem::path& file, const std::string& bytes);

@@ -68,14 +68,14 @@ void drawDemo(const std::string& name) {
 
 // glslang was called once for each row that is new.
 int64_t shadersIn(const std::filesystem::path& file) {
-  gen::Store store;
-  if (store.open(file, gen::Store::Mode::Read) != gen::Opened::Ok) return 0;
+  cache::Store store;
+  if (store.open(file, cache::Store::Mode::Read) != cache::Opened::Ok) return 0;
   return store.database().ask("SELECT count(*) FROM shader", 0);
 }
 
 double creatingMilliseconds(const std::filesystem::path& file) {
-  gen::Store store;
-  if (store.open(file, gen::Store::Mode::Read) != gen::Opened::Ok) return 0;
+  cache::Store store;
+  if (store.open(file, cache::Store::Mode::Read) != cache::Opened::Ok) return 0;
   return static_cast<double>(store.database().ask("SELECT total(create_us) FROM pipeline", 0)) / 1000;
 }
 
@@ -123,28 +123,28 @@ void reportFile() {
   const std::filesystem::path file = std::filesystem::path(folder.path()) / "anteroom.db";
   constexpr int kRows = 10000;
   {
-    gen::Store store;
-    bool good = store.open(file, gen::Store::Mode::Create) == gen::Opened::Ok && store.begin();
+    cache::Store store;
+    bool good = store.open(file, cache::Store::Mode::Create) == cache::Opened::Ok && store.begin();
     for (int i = 0; i < kRows && good; ++i) {
       const std::string key = keyOf(i);
       good = store.put(
-          gen::makeRow(gen::KeyKind::VertexText, std::as_bytes(std::span(key)), key, spirvOf(i), 1));
+          cache::makeRow(cache::KeyKind::VertexText, std::as_bytes(std::span(key)), key, spirvOf(i), 1));
     }
     if (!good || !store.commit()) throw std::runtime_error("a cache cannot be written: " + store.message());
   }
   std::vector<double> opening, finding;
   for (int i = 0; i < 21; ++i) {
     const auto start = Clock::now();
-    gen::ShaderCache cache(file, UINT64_MAX);
+    cache::ShaderCache cache(file, UINT64_MAX);
     if (!cache.filled()) throw std::runtime_error("a cache of 10,000 rows holds nothing");
     opening.push_back(milliseconds(Clock::now() - start));
   }
-  gen::ShaderCache cache(file, UINT64_MAX);
+  cache::ShaderCache cache(file, UINT64_MAX);
   cache.filled();
   for (int i = 0; i < 2000; ++i) {
     const std::string key = keyOf(i * 7919 % kRows);
     const auto start = Clock::now();
-    if (cache.find(gen::KeyKind::VertexText, std::as_bytes(std::span(key))).empty())
+    if (cache.find(cache::KeyKind::VertexText, std::as_bytes(std::span(key))).empty())
       throw std::runtime_error("a row is missing");
     finding.push_back(milliseconds(Clock::now() - start) * 1000);
   }

@@ -20,19 +20,19 @@ TEST(Store, WhatIsStoredIsFoundByTheNextCache) {
   const gen::FragmentKey fragment = gen::canonicaliseFragment(gen::State{}, gen::Profile{});
   const gen::VertexKey vertex = gen::canonicaliseVertex(gen::State{}, fragment, gen::Profile{});
   {
-    gen::ShaderCache cache(folder.file(), kNoLimit);
+    cache::ShaderCache cache(folder.file(), kNoLimit);
     EXPECT_FALSE(cache.filled());
-    EXPECT_TRUE(cache.find(gen::KeyKind::Vertex, gen::bytesOf(vertex)).empty());
-    cache.store(gen::KeyKind::Vertex, gen::bytesOf(vertex), "a", spirvOf(1), 7);
-    cache.store(gen::KeyKind::Fragment, gen::bytesOf(fragment), "b", spirvOf(2), 8);
+    EXPECT_TRUE(cache.find(cache::KeyKind::Vertex, cache::bytesOf(vertex)).empty());
+    cache.store(cache::KeyKind::Vertex, cache::bytesOf(vertex), "a", spirvOf(1), 7);
+    cache.store(cache::KeyKind::Fragment, cache::bytesOf(fragment), "b", spirvOf(2), 8);
     storeRow(cache, 3);
     cache.flush();
     EXPECT_EQ(cache.counts().written, 3u);
   }
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   EXPECT_TRUE(cache.filled());
-  EXPECT_EQ(cache.find(gen::KeyKind::Vertex, gen::bytesOf(vertex)), spirvOf(1));
-  EXPECT_EQ(cache.find(gen::KeyKind::Fragment, gen::bytesOf(fragment)), spirvOf(2));
+  EXPECT_EQ(cache.find(cache::KeyKind::Vertex, cache::bytesOf(vertex)), spirvOf(1));
+  EXPECT_EQ(cache.find(cache::KeyKind::Fragment, cache::bytesOf(fragment)), spirvOf(2));
   EXPECT_EQ(findRow(cache, 3), spirvOf(3));
   EXPECT_TRUE(findRow(cache, 4).empty());
   EXPECT_EQ(cache.counts().hits, 3u);
@@ -40,16 +40,16 @@ TEST(Store, WhatIsStoredIsFoundByTheNextCache) {
   EXPECT_EQ(cache.counts().damaged, 0u);
   cache.close();
 
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Ok);
   int rows = 0;
-  EXPECT_TRUE(store.visitShaders([&](int64_t, int64_t id, gen::ShaderRow& row, const std::string& why) {
+  EXPECT_TRUE(store.visitShaders([&](int64_t, int64_t id, cache::ShaderRow& row, const std::string& why) {
     ++rows;
     EXPECT_EQ(why, "");
     EXPECT_EQ(id, row.id());
-    EXPECT_EQ(row.generator, gen::generatorVersion());
+    EXPECT_EQ(row.generator, cache::generatorVersion());
     EXPECT_EQ(row.uses, 2) << "by two processes: one stored, one found";
-    if (row.kind == gen::KeyKind::Vertex) {
+    if (row.kind == cache::KeyKind::Vertex) {
       EXPECT_EQ(row.description, describe(vertex));
       EXPECT_EQ(row.glsl, "a");
       EXPECT_EQ(row.compileMicroseconds, 7);
@@ -62,24 +62,25 @@ TEST(Store, TenThousandRowsAreFound) {
   const Folder folder;
   constexpr int kRows = 10000;
   {
-    gen::Store store;
-    ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Create), gen::Opened::Ok);
+    cache::Store store;
+    ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Create), cache::Opened::Ok);
     ASSERT_TRUE(store.begin());
     for (int i = 0; i < kRows; ++i) {
       const std::string key = keyText(i);
-      ASSERT_TRUE(store.put(gen::makeRow(gen::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, 700), 1)));
+      ASSERT_TRUE(
+          store.put(cache::makeRow(cache::KeyKind::VertexText, keyBytes(key), key, spirvOf(i, 700), 1)));
     }
     ASSERT_TRUE(store.commit());
   }
   std::vector<double> opening, finding;  // reported, not judged: machines differ
   for (int i = 0; i < 9; ++i) {
-    gen::Store store;
+    cache::Store store;
     const auto start = Clock::now();
-    ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Write), gen::Opened::Ok);
+    ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Write), cache::Opened::Ok);
     ASSERT_TRUE(store.holdsCurrent());
     opening.push_back(microseconds(Clock::now() - start));
   }
-  gen::ShaderCache cache(folder.file(), kNoLimit);
+  cache::ShaderCache cache(folder.file(), kNoLimit);
   ASSERT_TRUE(cache.filled());
   for (int i = 0; i < 1000; ++i) {
     const int row = i * 7919 % kRows;
@@ -98,14 +99,14 @@ TEST(Store, TenThousandRowsAreFound) {
 TEST(Store, TheLimitDropsWhatWasUnusedForLongest) {
   const Folder folder;
   constexpr uint64_t kLimit = 256 << 10;
-  gen::ShaderCache cache(folder.file(), kLimit);
+  cache::ShaderCache cache(folder.file(), kLimit);
   for (int i = 0; i < 300; ++i) {
     storeRow(cache, i, 1000);
     if (i % 50 == 49) cache.flush();
   }
   cache.close();
-  gen::Store store;
-  ASSERT_EQ(store.open(folder.file(), gen::Store::Mode::Read), gen::Opened::Ok);
+  cache::Store store;
+  ASSERT_EQ(store.open(folder.file(), cache::Store::Mode::Read), cache::Opened::Ok);
   const int64_t rows = store.database().ask("SELECT count(*) FROM shader", 0);
   EXPECT_GT(rows, 20);
   EXPECT_LT(rows, 60);

@@ -14,14 +14,14 @@ class Tool : public testing::Test {
   void SetUp() override {
     gen::State state;
     state.attributes[gen::kPosition].array = true;
-    gen::ShaderCache cache(folder_.file(), kNoLimit);
+    cache::ShaderCache cache(folder_.file(), kNoLimit);
     for (bool fog : {false, true}) {
       state.fog.enabled = fog;
       const auto fragment = gen::canonicaliseFragment(state, gen::Profile{});
-      add(cache, gen::KeyKind::Fragment, gen::bytesOf(fragment));
+      add(cache, cache::KeyKind::Fragment, cache::bytesOf(fragment));
       const auto vertex = gen::canonicaliseVertex(state, fragment, gen::Profile{});
-      add(cache, gen::KeyKind::Vertex, gen::bytesOf(vertex));
-      gen::PipelineRow pipeline;
+      add(cache, cache::KeyKind::Vertex, cache::bytesOf(vertex));
+      cache::PipelineRow pipeline;
       pipeline.vertex = describe(vertex);
       pipeline.fragment = describe(fragment);
       pipeline.state = "primitive=triangles color=R8G8B8A8_UNORM samples=1 dynamic=123v";
@@ -29,9 +29,9 @@ class Tool : public testing::Test {
     }
   }
 
-  static void add(gen::ShaderCache& cache, gen::KeyKind kind, gen::KeyBytes key) {
-    const std::string glsl = gen::emit(kind, key);
-    cache.store(kind, key, glsl, gen::compile(gen::stageOf(kind), glsl).spirv, 1);
+  static void add(cache::ShaderCache& cache, cache::KeyKind kind, cache::KeyBytes key) {
+    const std::string glsl = cache::emit(kind, key);
+    cache.store(kind, key, glsl, gen::compile(cache::stageOf(kind), glsl).spirv, 1);
   }
 
   Output tool(std::vector<std::string> arguments) { return toolOn(folder_.file(), std::move(arguments)); }
@@ -40,7 +40,7 @@ class Tool : public testing::Test {
     return runProgram(CACHE_TOOL, {}, arguments);
   }
   void damage(const char* sql) {
-    gen::Database database;
+    cache::Database database;
     ASSERT_EQ(database.open(folder_.file(), SQLITE_OPEN_READWRITE, 1000), SQLITE_OK);
     ASSERT_EQ(database.run(sql), SQLITE_OK);
   }

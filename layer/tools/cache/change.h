@@ -9,11 +9,11 @@
 namespace anteroom::inspect {
 
 // Nothing: the key does not compile.
-std::optional<gen::ShaderRow> compiled(gen::KeyKind kind, gen::KeyBytes key);
+std::optional<cache::ShaderRow> compiled(cache::KeyKind kind, cache::KeyBytes key);
 
 // A transaction, and its end; both say on stderr what is wrong.
-Status begin(const Settings& settings, gen::Store::Mode mode, gen::Store& store);
-Status finish(gen::Store& store, const Settings& settings, bool good);
+Status begin(const Settings& settings, cache::Store::Mode mode, cache::Store& store);
+Status finish(cache::Store& store, const Settings& settings, bool good);
 
 // A file of text.
 Status write(const std::string& file, const std::string& text);

@@ -124,7 +124,7 @@ void listShaders(const Settings& settings, const std::string& sort, size_t most,
   }
   fmt::print("{:16} {:>6} {:>11} {:>9} {:>8}  {}\n", "key", "uses", "compile", "SPIR-V", "age", "state");
   for (const Shader& shader : rows) {
-    const gen::ShaderRow& row = shader.row;
+    const cache::ShaderRow& row = shader.row;
     const std::string state = !shader.why.empty() ? "bad: " + shader.why
                               : row.current()     ? row.description
                                                   : "(another generator's) " + row.description;
@@ -146,7 +146,7 @@ void print(const State& state) {
 }
 
 Status showShader(const Settings& settings, const Shader& shader) {
-  const gen::ShaderRow& row = shader.row;
+  const cache::ShaderRow& row = shader.row;
   const Status status = shader.why.empty() ? kDone : kNo;
   const std::string assembly = disassembled(row.spirv);
   if (settings.json) {
@@ -172,16 +172,16 @@ Status showShader(const Settings& settings, const Shader& shader) {
 // The key of the shader that these words mean, if it is there.
 std::string shaderOf(const Contents& contents, gen::Stage stage, const std::string& words) {
   for (const Shader& shader : contents.shaders) {
-    const gen::ShaderRow& row = shader.row;
-    const bool key = row.kind == gen::KeyKind::Vertex || row.kind == gen::KeyKind::Fragment;
-    if (gen::stageOf(row.kind) == stage && (key ? row.description : row.glsl) == words)
+    const cache::ShaderRow& row = shader.row;
+    const bool key = row.kind == cache::KeyKind::Vertex || row.kind == cache::KeyKind::Fragment;
+    if (cache::stageOf(row.kind) == stage && (key ? row.description : row.glsl) == words)
       return name(shader.id);
   }
   return "not in the cache";
 }
 
 Status showPipeline(const Settings& settings, const Contents& contents, const Pipeline& pipeline) {
-  const gen::PipelineRow& row = pipeline.row;
+  const cache::PipelineRow& row = pipeline.row;
   const std::string vertex = shaderOf(contents, gen::Stage::Vertex, row.vertex),
                     fragment = shaderOf(contents, gen::Stage::Fragment, row.fragment);
   if (settings.json) {
@@ -263,7 +263,7 @@ Status stats(const Settings& settings) {
   size_t spirv = 0, glsl = 0, bad = 0, current = 0, kinds[4]{};
   int64_t compile = 0, saved = 0, create = 0;
   for (const Shader& shader : contents.shaders) {
-    const gen::ShaderRow& row = shader.row;
+    const cache::ShaderRow& row = shader.row;
     spirv += row.spirv.size() * 4;
     glsl += row.glsl.size();
     bad += !shader.why.empty();
@@ -277,7 +277,7 @@ Status stats(const Settings& settings) {
     create += pipeline.row.createMicroseconds;
   }
   std::set<int64_t> programs;
-  for (const gen::UsageRow& usage : contents.usage) programs.insert(usage.program.id);
+  for (const cache::UsageRow& usage : contents.usage) programs.insert(usage.program.id);
   std::error_code ignored;
   const size_t file = std::filesystem::file_size(settings.file, ignored);
   if (settings.json) {
@@ -296,7 +296,7 @@ Status stats(const Settings& settings) {
            {"compile_us", compile},
            {"saved_us", saved},
            {"create_us", create},
-           {"generator", gen::generatorVersion()}});
+           {"generator", cache::generatorVersion()}});
     return kDone;
   }
   fmt::print("{}: {}\n", settings.file, bytes(file));

@@ -34,24 +34,24 @@ int64_t numberOf(const nlohmann::json& entry, const char* field) {
   return found != entry.end() && found->is_number_integer() ? std::clamp<int64_t>(*found, 0, 1'000'000) : 0;
 }
 
-bool keyOf(const nlohmann::json& entry, gen::KeyKind& kind, std::vector<std::byte>& key) {
+bool keyOf(const nlohmann::json& entry, cache::KeyKind& kind, std::vector<std::byte>& key) {
   std::string name, words;
   if (!textOf(entry, "kind", name) || !textOf(entry, "key", words)) return false;
   const bool vertex = name.starts_with("vertex");
-  return gen::keyOf(vertex ? gen::Stage::Vertex : gen::Stage::Fragment, words, kind, key) &&
+  return cache::keyOf(vertex ? gen::Stage::Vertex : gen::Stage::Fragment, words, kind, key) &&
          name == kindName(kind);
 }
 
 // Both shaders must be keys of this generator's; what the state means is the renderer's to say.
-bool pipelineOf(const nlohmann::json& entry, gen::PipelineRow& row) {
-  gen::KeyKind kind;
+bool pipelineOf(const nlohmann::json& entry, cache::PipelineRow& row) {
+  cache::KeyKind kind;
   std::vector<std::byte> key;
   if (!textOf(entry, "vertex", row.vertex) || !textOf(entry, "fragment", row.fragment) ||
       !textOf(entry, "state", row.state) || row.state.size() > 4096)
     return false;
   row.created = row.used = std::time(nullptr);
-  return gen::keyOf(gen::Stage::Vertex, row.vertex, kind, key) &&
-         gen::keyOf(gen::Stage::Fragment, row.fragment, kind, key);
+  return cache::keyOf(gen::Stage::Vertex, row.vertex, kind, key) &&
+         cache::keyOf(gen::Stage::Fragment, row.fragment, kind, key);
 }
 
 bool idOf(const std::string& text, int64_t& id) {
@@ -61,7 +61,7 @@ bool idOf(const std::string& text, int64_t& id) {
   return error == std::errc() && end == text.data() + text.size();
 }
 
-bool usageOf(const nlohmann::json& entry, gen::UsageRow& row) {
+bool usageOf(const nlohmann::json& entry, cache::UsageRow& row) {
   std::string program, pipeline;
   if (!textOf(entry, "program", program) || !textOf(entry, "name", row.program.name) ||
       !textOf(entry, "pipeline", pipeline) || row.program.name.size() > 256)
@@ -75,7 +75,7 @@ bool usageOf(const nlohmann::json& entry, gen::UsageRow& row) {
 
 // What "keys", "pipelines" and "usage" of an exported file bring.
 struct Import {
-  gen::Store& store;
+  cache::Store& store;
   size_t shaders = 0, pipelines = 0, refused = 0;
   bool good = true;  // so far everything could be written
 
@@ -85,7 +85,7 @@ struct Import {
     for (const auto& entry : json[what]) refused += !take(entry);
   }
   bool shader(const nlohmann::json& entry) {
-    gen::KeyKind kind;
+    cache::KeyKind kind;
     std::vector<std::byte> key;
     const auto row = keyOf(entry, kind, key) ? compiled(kind, key) : std::nullopt;
     if (!row) return false;
@@ -94,14 +94,14 @@ struct Import {
     return true;
   }
   bool pipeline(const nlohmann::json& entry) {
-    gen::PipelineRow row;
+    cache::PipelineRow row;
     if (!pipelineOf(entry, row)) return false;
     good = good && store.put(row);
     ++pipelines;
     return true;
   }
   bool usage(const nlohmann::json& entry) {
-    gen::UsageRow row;
+    cache::UsageRow row;
     if (!usageOf(entry, row)) return false;
     good = good && store.put(row);
     return true;
@@ -113,9 +113,9 @@ struct Import {
 Status verify(const Settings& settings, bool repair) {
   Contents contents;
   if (const Status status = read(settings.file, contents)) return status;
-  gen::Store store;
-  if (const Status status = repair ? begin(settings, gen::Store::Mode::Write, store)
-                                   : open(settings.file, gen::Store::Mode::Read, store))
+  cache::Store store;
+  if (const Status status = repair ? begin(settings, cache::Store::Mode::Write, store)
+                                   : open(settings.file, cache::Store::Mode::Read, store))
     return status;
   bool written = true;
   size_t bad = 0;
@@ -154,13 +154,13 @@ Status verify(const Settings& settings, bool repair) {
 }
 
 Status prune(const Settings& settings, uint64_t limit, int unusedDays) {
-  gen::Store store;
-  if (const Status status = begin(settings, gen::Store::Mode::Write, store)) return status;
+  cache::Store store;
+  if (const Status status = begin(settings, cache::Store::Mode::Write, store)) return status;
   const int64_t oldest = unusedDays < 0 ? INT64_MIN : std::time(nullptr) - int64_t{86400} * unusedDays;
   std::vector<int64_t> shaders, pipelines;
-  bool good = store.visitShaders([&](int64_t number, int64_t, gen::ShaderRow& row, const std::string& why) {
+  bool good = store.visitShaders([&](int64_t number, int64_t, cache::ShaderRow& row, const std::string& why) {
     if (row.used < oldest || !why.empty()) shaders.push_back(number);
-  }) && store.visitPipelines([&](int64_t id, gen::PipelineRow& row, const std::string& why) {
+  }) && store.visitPipelines([&](int64_t id, cache::PipelineRow& row, const std::string& why) {
     if (row.used < oldest || !why.empty()) pipelines.push_back(id);
   });
   for (int64_t number : shaders) good = good && store.removeShader(number);
@@ -181,7 +181,7 @@ Status exportKeys(const Settings& settings, const std::string& to) {
   for (const Shader& shader : contents.shaders) {
     const std::vector<std::byte> key = shader.row.currentKey();
     if (!shader.why.empty() || key.empty()) continue;
-    nlohmann::json entry{{"kind", kindName(shader.row.kind)}, {"key", gen::wordsOf(shader.row.kind, key)}};
+    nlohmann::json entry{{"kind", kindName(shader.row.kind)}, {"key", cache::wordsOf(shader.row.kind, key)}};
     // Rows of several generators may mean one key.
     auto& keys = json["keys"];
     if (std::find(keys.begin(), keys.end(), entry) == keys.end()) keys.push_back(std::move(entry));
@@ -189,7 +189,7 @@ Status exportKeys(const Settings& settings, const std::string& to) {
   for (const auto& [id, row, why] : contents.pipelines)
     if (why.empty())
       json["pipelines"].push_back({{"vertex", row.vertex}, {"fragment", row.fragment}, {"state", row.state}});
-  for (const gen::UsageRow& row : contents.usage)
+  for (const cache::UsageRow& row : contents.usage)
     json["usage"].push_back({{"program", name(row.program.id)},
                              {"name", row.program.name},
                              {"runs", row.runs},
@@ -228,8 +228,8 @@ Status importKeys(const Settings& settings, const std::string& from) {
     fmt::print(stderr, "anteroom-cache: {} was exported by another version of Anteroom\n", from);
     return kNotACache;
   }
-  gen::Store store;
-  if (const Status status = begin(settings, gen::Store::Mode::Create, store)) return status;
+  cache::Store store;
+  if (const Status status = begin(settings, cache::Store::Mode::Create, store)) return status;
   Import import{store};
   import.each(json, "keys", [&](const auto& entry) { return import.shader(entry);
 });
@@ -250,8 +250,8 @@ Status importKeys(const Settings& settings, const std::string& from) {
     Contents contents;
     for (const std::string& file : from)
       if (const Status status = read(file, contents)) return status;
-    gen::Store store;
-    if (const Status status = begin(settings, gen::Store::Mode::Create, store)) return status;
+    cache::Store store;
+    if (const Status status = begin(settings, cache::Store::Mode::Create, store)) return status;
     size_t done = 0, bad = 0;
     bool good = true;
     const auto take = [&](const auto& entry) {
@@ -260,7 +260,7 @@ Status importKeys(const Settings& settings, const std::string& from) {
     };
     for (const Shader& shader : contents.shaders) take(shader);
     for (const Pipeline& pipeline : contents.pipelines) take(pipeline);
-    for (const gen::UsageRow& usage : contents.usage) good = good && store.put(usage);
+    for (const cache::UsageRow& usage : contents.usage) good = good && store.put(usage);
     if (const Status status = finish(store, settings, good)) return status;
     answer(settings, {{"merged", done}, {"bad", bad}},
            fmt::format("{} rows merged, {} bad ones left out", done, bad));

@@ -68,14 +68,14 @@ Status explain(const Settings& settings, const std::string& program) {
   if (!program.empty() && pipelines.empty()) {
     fmt::print(stderr, "anteroom-cache: no program that is called {} has drawn; known are:", program);
     std::set<std::string> known;
-    for (const gen::UsageRow& usage : contents.usage) known.insert(usage.program.name);
+    for (const cache::UsageRow& usage : contents.usage) known.insert(usage.program.name);
     for (const std::string& one : known) fmt::print(stderr, " {}", one);
     fmt::print(stderr, "\n");
     return kNo;
   }
   nlohmann::json json;
   json["pipeline"] = explained(pipelines, "pipelines", settings.json);
-  for (const gen::KeyKind kind : {gen::KeyKind::Vertex, gen::KeyKind::Fragment}) {
+  for (const cache::KeyKind kind : {cache::KeyKind::Vertex, cache::KeyKind::Fragment}) {
     std::vector<State> states;
     std::set<std::string> seen;  // once, whatever the generators
     for (const Shader& shader : contents.shaders)

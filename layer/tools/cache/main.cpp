@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     return app.exit(error) ? kUsage : kDone;
   }
   if (a.settings.file.empty()) {
-    const gen::CacheLocation location = gen::cacheLocation();
+    const cache::CacheLocation location = cache::cacheLocation();
     a.settings.file = location.file;
     if (a.settings.file.empty()) {
       fmt::print(stderr, "anteroom-cache: {}; or name a file with --file\n",

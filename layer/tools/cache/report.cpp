@@ -26,7 +26,7 @@ nlohmann::json page(const Settings& settings, const Contents& contents) {
     shaders.push_back(std::move(entry));
   }
   std::map<int64_t, std::vector<std::string>> programs;
-  for (const gen::UsageRow& usage : contents.usage) {
+  for (const cache::UsageRow& usage : contents.usage) {
     auto& names = programs[usage.pipeline];
     const std::string program = clean(usage.program.name);
     if (std::find(names.begin(), names.end(), program) == names.end()) names.push_back(program);
@@ -38,7 +38,7 @@ nlohmann::json page(const Settings& settings, const Contents& contents) {
   }
   std::error_code ignored;
   return {{"file", settings.file},      {"file_bytes", std::filesystem::file_size(settings.file, ignored)},
-          {"made", std::time(nullptr)}, {"generator", gen::generatorVersion()},
+          {"made", std::time(nullptr)}, {"generator", cache::generatorVersion()},
           {"shaders", shaders},         {"pipelines", pipelines}};
 }
 

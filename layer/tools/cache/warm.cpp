@@ -17,15 +17,15 @@ struct Shaders {
 
 // For each key, a row of this generator.
 Status warmShaders(const Settings& settings, const Contents& contents, Shaders& shaders) {
-  gen::Store store;
-  if (const Status status = begin(settings, gen::Store::Mode::Write, store)) return status;
+  cache::Store store;
+  if (const Status status = begin(settings, cache::Store::Mode::Write, store)) return status;
   std::unordered_set<int64_t> done;
   for (const Shader& shader : contents.shaders)
     if (shader.row.current() && shader.why.empty()) done.insert(shader.id);
   shaders.known = done.size();
   bool good = true;
-  const auto compile = [&](gen::KeyKind kind, const std::vector<std::byte>& key) {
-    if (!done.insert(gen::shaderId(kind, key)).second) return;
+  const auto compile = [&](cache::KeyKind kind, const std::vector<std::byte>& key) {
+    if (!done.insert(cache::shaderId(kind, key)).second) return;
     const auto row = compiled(kind, key);
     if (row) good = good && store.put(*row);
     ++(row ? shaders.compiled : shaders.refused);
@@ -35,10 +35,10 @@ Status warmShaders(const Settings& settings, const Contents& contents, Shaders& 
     if (!key.empty() && (shader.why.empty() || shader.row.id() == shader.id)) compile(shader.row.kind, key);
   }
   for (const Pipeline& pipeline : contents.pipelines) {
-    gen::KeyKind kind;
+    cache::KeyKind kind;
     std::vector<std::byte> key;
-    if (gen::keyOf(gen::Stage::Vertex, pipeline.row.vertex, kind, key)) compile(kind, key);
-    if (gen::keyOf(gen::Stage::Fragment, pipeline.row.fragment, kind, key)) compile(kind, key);
+    if (cache::keyOf(gen::Stage::Vertex, pipeline.row.vertex, kind, key)) compile(kind, key);
+    if (cache::keyOf(gen::Stage::Fragment, pipeline.row.fragment, kind, key)) compile(kind, key);
   }
   return finish(store, settings, good);
 }
@@ -48,20 +48,20 @@ Status warmShaders(const Settings& settings, const Contents& contents, Shaders& 
 Status warm(const Settings& settings, const std::string& preferred) {
   {
     // A file of an older version is brought up to date.
-    gen::Store store;
-    if (const Status status = open(settings.file, gen::Store::Mode::Write, store)) return status;
+    cache::Store store;
+    if (const Status status = open(settings.file, cache::Store::Mode::Write, store)) return status;
   }
   Contents contents;
   if (const Status status = read(settings.file, contents)) return status;
   Shaders shaders;
   if (const Status status = warmShaders(settings, contents, shaders)) return status;
 
-  gen::ShaderCache::setProcessFile(settings.file);
+  cache::ShaderCache::setProcessFile(settings.file);
   std::string error;
   const auto device = vulkan::createDevice({.preferred = preferred}, error);
   size_t made = 0;
   if (device) {
-    std::vector<gen::PipelineRow> rows;
+    std::vector<cache::PipelineRow> rows;
     for (const Pipeline& pipeline : contents.pipelines)
       if (pipeline.why.empty()) rows.push_back(pipeline.row);
     made = vulkan::makePipelines(*device, rows);

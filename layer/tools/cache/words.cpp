@@ -75,7 +75,7 @@ std::string name(int64_t id) {
   return fmt::format("{:016x}", static_cast<uint64_t>(id));
 }
 
-const char* kindName(gen::KeyKind kind) {
+const char* kindName(cache::KeyKind kind) {
   constexpr const char* kNames[] = {"vertex", "fragment", "vertex-text", "fragment-text"};
   return kNames[static_cast<int>(kind)];
 }
@@ -99,15 +99,15 @@ std::string milliseconds(int64_t microseconds) {
   return fmt::format("{:.2f} ms", static_cast<double>(microseconds) / 1000);
 }
 
-State state(const gen::ShaderRow& row) {
+State state(const cache::ShaderRow& row) {
   State result;
-  if (row.kind != gen::KeyKind::Vertex && row.kind != gen::KeyKind::Fragment) return result;
+  if (row.kind != cache::KeyKind::Vertex && row.kind != cache::KeyKind::Fragment) return result;
   visitWords(row.description, true,
              [&](const std::string& field, const std::string& value) { result[field] = value; });
   return result;
 }
 
-State state(const gen::PipelineRow& row) {
+State state(const cache::PipelineRow& row) {
   State result;
   if (isKey(row.vertex)) {
     addTopics(row.vertex, true, kVertexTopics, "lighting", result);
@@ -130,7 +130,7 @@ std::string clean(const std::string& text) {
 }
 
 nlohmann::json toJson(const Shader& shader, bool whole) {
-  const gen::ShaderRow& row = shader.row;
+  const cache::ShaderRow& row = shader.row;
   nlohmann::json json{{"key", name(shader.id)},
                       {"kind", kindName(row.kind)},
                       {"description", clean(row.description)},
@@ -152,7 +152,7 @@ nlohmann::json toJson(const Shader& shader, bool whole) {
 }
 
 nlohmann::json toJson(const Pipeline& pipeline, bool whole) {
-  const gen::PipelineRow& row = pipeline.row;
+  const cache::PipelineRow& row = pipeline.row;
   nlohmann::json json{{"key", name(pipeline.id)},
                       {"kind", "pipeline"},
                       {"state", clean(row.state)},

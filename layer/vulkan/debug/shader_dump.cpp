@@ -23,12 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* stageName(gen::KeyKind kind) {
-  return gen::stageOf(kind) == gen::Stage::Vertex ? "vertex" : "fragment";
+const char* stageName(cache::KeyKind kind) {
+  return cache::stageOf(kind) == gen::Stage::Vertex ? "vertex" : "fragment";
 }
 
-bool isOwn(gen::KeyKind kind) {
-  return kind == gen::KeyKind::VertexText || kind == gen::KeyKind::FragmentText;
+bool isOwn(cache::KeyKind kind) {
+  return kind == cache::KeyKind::VertexText || kind == cache::KeyKind::FragmentText;
 }
 
 // False: it cannot be written. What is there already has the same contents, as its name says.
@@ -49,7 +49,7 @@ bool writeFile(const fs::path& path, std::string_view text) {
 std::vector<fs::path> reportFolders() {
   std::vector<fs::path> folders;
   if (const char* asked = secure_getenv("ANTEROOM_DUMP_DIR"); asked && *asked) folders.emplace_back(asked);
-  const gen::ShaderCache& cache = gen::ShaderCache::process();
+  const cache::ShaderCache& cache = cache::ShaderCache::process();
   if (cache.wanted()) folders.push_back(cache.file().parent_path());
   std::error_code error;
   if (fs::path temporary = fs::temp_directory_path(error); !error) folders.push_back(std::move(temporary));
@@ -86,7 +86,7 @@ std::string describeDevice(const VulkanDevice& device) {
                      version(is.apiVersion));
 }
 
-std::string hex(gen::KeyBytes bytes) {
+std::string hex(cache::KeyBytes bytes) {
   std::string text;
   for (size_t i = 0; i < bytes.size(); ++i) {
     if (i) text += i % 32 ? " " : "\n     ";
@@ -98,7 +98,7 @@ std::string hex(gen::KeyBytes bytes) {
 std::string describeFully(const ShaderText& shader) {
   std::string text = fmt::format("\n== {} shader ==\nkey: {}\n", stageName(shader.kind), describe(shader));
   if (!isOwn(shader.kind)) text += fmt::format("bytes: {}\n", hex(shader.key));
-  return text + "\n" + gen::emit(shader.kind, shader.key) + "\n";
+  return text + "\n" + cache::emit(shader.kind, shader.key) + "\n";
 }
 
 // Whether this process has not said so yet.
@@ -112,7 +112,7 @@ bool isNews(uint64_t hash) {
 }  // namespace
 
 std::string describe(const ShaderText& shader) {
-  std::string words = gen::wordsOf(shader.kind, shader.key);
+  std::string words = cache::wordsOf(shader.kind, shader.key);
   if (!isOwn(shader.kind)) return words;
   const size_t comment = words.find("// ");
   if (comment == words.npos) return "without a key";
@@ -121,14 +121,14 @@ std::string describe(const ShaderText& shader) {
 
 void dumpShader(const VulkanDevice& device, const ShaderText& shader) {
   if (!device.debug().glsl) return;
-  const std::string glsl = gen::emit(shader.kind, shader.key);
+  const std::string glsl = cache::emit(shader.kind, shader.key);
   const std::string& folder = device.debug().glslFolder;
   if (folder.empty()) {
     std::fprintf(stderr, "anteroom: %s shader: %s\n%s\n", stageName(shader.kind), describe(shader).c_str(),
                  glsl.c_str());
     return;
   }
-  const auto id = static_cast<uint64_t>(gen::shaderId(shader.kind, shader.key));
+  const auto id = static_cast<uint64_t>(cache::shaderId(shader.kind, shader.key));
   const fs::path path = fs::path(folder) / fmt::format("{}-{:016x}.glsl", stageName(shader.kind), id);
   std::error_code error;
   fs::create_directories(folder, error);
@@ -141,7 +141,7 @@ void reportFailure(const VulkanDevice& device, std::string_view fault, std::span
   std::string text = fmt::format(
       "Anteroom cannot draw with this: please report it with the whole of this file.\n\nfault: {}\n"
       "library: Anteroom {}, generator {}\n{}",
-      fault, ANTEROOM_VERSION, gen::generatorVersion(), describeDevice(device));
+      fault, ANTEROOM_VERSION, cache::generatorVersion(), describeDevice(device));
   if (!state.empty()) text += fmt::format("state: {}\n", state);
   text += fmt::format("\n== log ==\n{}\n", log.empty() ? "none" : log);
   for (const ShaderText& shader : shaders) text += describeFully(shader);

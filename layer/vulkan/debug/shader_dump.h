@@ -14,8 +14,8 @@ namespace anteroom::vulkan {
 class VulkanDevice;
 
 struct ShaderText {
-  gen::KeyKind kind;
-  gen::KeyBytes key;
+  cache::KeyKind kind;
+  cache::KeyBytes key;
 };
 
 // One line: the key in words, or the first comment of a shader that no key makes.

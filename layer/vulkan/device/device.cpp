@@ -161,7 +161,7 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   caps_.origin.devices = instance_.devices;
   caps_.origin.choice = instance_.choice;
   caps_.origin.driver = driverText(instance_.physical, properties);
-  const gen::CacheLocation cache = gen::cacheLocation();
+  const cache::CacheLocation cache = cache::cacheLocation();
   caps_.origin.cache = !cache.file.empty()    ? cache.file.string()
                        : cache.reason.empty() ? "none: switched off"
                                               : "none: " + cache.reason;

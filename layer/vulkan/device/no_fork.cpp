@@ -35,7 +35,7 @@ int countThreads() {
 // both.
 void keepStacks() {
   for (int left = std::exchange(lostThreads, 0); left > 0; --left) {
-    std::thread keeper = gen::quietThread([] {
+    std::thread keeper = cache::quietThread([] {
       for (;;) pause();
     });
     if (!keeper.joinable()) return;

@@ -22,13 +22,13 @@ DriverCache::~DriverCache() {
 
 void DriverCache::load() {
   const std::lock_guard lock(mutex_);
-  const gen::ShaderCache& cache = gen::ShaderCache::process();
+  const cache::ShaderCache& cache = cache::ShaderCache::process();
   if (!cache.wanted() || handle()) return;
   vkGetPhysicalDeviceProperties(device_.physical(), &properties_);
   folder_ = cache.file().parent_path();
   prefix_ = fmt::format("driver-{:04x}-{:04x}-", properties_.vendorID, properties_.deviceID);
   name_ = fmt::format("{}{:08x}", prefix_, properties_.driverVersion);
-  std::vector<std::byte> data = gen::readDriverBlob(folder_ / name_);
+  std::vector<std::byte> data = cache::readDriverBlob(folder_ / name_);
   if (!madeBy(data, properties_)) data.clear();
   VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
   info.initialDataSize = data.size();
@@ -42,7 +42,7 @@ void DriverCache::load() {
 // A cache that holds what the file does by now, and what this device made. Others use `own` meanwhile: only
 // what is merged into must be left alone (vkMergePipelineCaches).
 VkPipelineCache DriverCache::mergedWith(VkPipelineCache own) {
-  std::vector<std::byte> data = gen::readDriverBlob(folder_ / name_);
+  std::vector<std::byte> data = cache::readDriverBlob(folder_ / name_);
   if (!madeBy(data, properties_)) data.clear();
   VkPipelineCacheCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO};
   info.initialDataSize = data.size();
@@ -72,7 +72,8 @@ void DriverCache::save() {
     data.resize(size);
     if (fn.vkGetPipelineCacheData(device_.handle(), merged, &size, data.data()) == VK_SUCCESS) {
       data.resize(size);
-      if (gen::writeDriverBlob(folder_ / name_, data)) gen::keepNewestBlobs(folder_, prefix_, kMostVersions);
+      if (cache::writeDriverBlob(folder_ / name_, data))
+        cache::keepNewestBlobs(folder_, prefix_, kMostVersions);
     }
   }
   fn.vkDestroyPipelineCache(device_.handle(), merged, nullptr);

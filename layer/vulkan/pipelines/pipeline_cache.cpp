@@ -286,11 +286,11 @@ bool PipelineCache::makeAhead(const PipelineKey& key, const Shader& vertex, cons
 
 void PipelineCache::noteUse(const PipelineKey& key, const Shader& vertex, const Shader& fragment,
                             int64_t microseconds) {
-  gen::ShaderCache& cache = gen::ShaderCache::process();
+  cache::ShaderCache& cache = cache::ShaderCache::process();
   if (!cache.wanted()) return;
-  gen::PipelineRow row;
-  row.vertex = gen::wordsOf(vertex.kind, vertex.key);
-  row.fragment = gen::wordsOf(fragment.kind, fragment.key);
+  cache::PipelineRow row;
+  row.vertex = cache::wordsOf(vertex.kind, vertex.key);
+  row.fragment = cache::wordsOf(fragment.kind, fragment.key);
   row.state = describe(key, device_.features());
   row.createMicroseconds = microseconds;
   cache.use(std::move(row));

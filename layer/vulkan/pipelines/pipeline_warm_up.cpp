@@ -27,8 +27,8 @@ const Key& as(const Shader& shader) {
 // Own shaders go with own shaders, and read no arrays.
 bool fitTogether(const Shader& vertex, const Shader& fragment, const VertexLayout& layout,
                  bool dynamicInput) {
-  const bool own = vertex.kind == gen::KeyKind::VertexText;
-  if (own != (fragment.kind == gen::KeyKind::FragmentText)) return false;
+  const bool own = vertex.kind == cache::KeyKind::VertexText;
+  if (own != (fragment.kind == cache::KeyKind::FragmentText)) return false;
   if (own) return true;
   const auto& vertexKey = as<gen::VertexKey>(vertex);
   const auto& fragmentKey = as<gen::FragmentKey>(fragment);
@@ -82,7 +82,7 @@ bool fitDevice(const VulkanDevice& device, const DynamicStates& dynamic, Pipelin
 
 }  // namespace
 
-bool makeAhead(VulkanDevice& device, const gen::PipelineRow& row) {
+bool makeAhead(VulkanDevice& device, const cache::PipelineRow& row) {
   PipelineKey key;
   DynamicStates dynamic;
   if (!parse(row.state, key, dynamic) || !fitDevice(device, dynamic, key)) return false;
@@ -96,11 +96,11 @@ bool makeAhead(VulkanDevice& device, const gen::PipelineRow& row) {
   return device.pipelines().makeAhead(key, *vertex, *fragment);
 }
 
-size_t makePipelines(render::Device& device, std::span<const gen::PipelineRow> rows) {
+size_t makePipelines(render::Device& device, std::span<const cache::PipelineRow> rows) {
   auto& vulkan = static_cast<VulkanDevice&>(device);
   vulkan.driverCache().load();
   size_t made = 0;
-  for (const gen::PipelineRow& row : rows) made += makeAhead(vulkan, row);
+  for (const cache::PipelineRow& row : rows) made += makeAhead(vulkan, row);
   vulkan.driverCache().save();
   return made;
 }
@@ -110,18 +110,18 @@ PipelineWarmUp::~PipelineWarmUp() {
 }
 
 void PipelineWarmUp::start() {
-  if (!gen::ShaderCache::process().wanted()) return;
+  if (!cache::ShaderCache::process().wanted()) return;
   const std::lock_guard lock(mutex_);
   if (started_) return;
   started_ = true;
   process_ = getpid();
   device_.driverCache().load();
-  thread_ = gen::quietThread([this] { run(); });
+  thread_ = cache::quietThread([this] { run(); });
 }
 
 void PipelineWarmUp::run() {
   try {
-    for (const gen::PipelineRow& row : gen::ShaderCache::process().usualPipelines()) {
+    for (const cache::PipelineRow& row : cache::ShaderCache::process().usualPipelines()) {
       if (stopping_) return;
       makeAhead(device_, row);
     }
@@ -135,7 +135,7 @@ void PipelineWarmUp::stop() {
   if (!started_) return;
   stopping_ = true;
   if (getpid() != process_) {
-    gen::forget(thread_);
+    cache::forget(thread_);
     return;
   }
   if (!thread_.joinable()) return;

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-namespace anteroom::gen {
+namespace anteroom::cache {
 struct PipelineRow;
 }
 
@@ -14,7 +14,7 @@ namespace anteroom::vulkan {
 class VulkanDevice;
 
 // Whether this device can make it, and did. Both shaders are made, too.
-bool makeAhead(VulkanDevice& device, const gen::PipelineRow& row);
+bool makeAhead(VulkanDevice& device, const cache::PipelineRow& row);
 
 class PipelineWarmUp {
  public:

@@ -21,7 +21,7 @@ namespace {
 class WarmUp {
  public:
   WarmUp()
-      : thread_(gen::quietThread([&cache = gen::ShaderCache::process()] {
+      : thread_(cache::quietThread([&cache = cache::ShaderCache::process()] {
           if (cache.filled()) return;
           const NoFork noFork;
           gen::warmCompiler();
@@ -32,7 +32,7 @@ class WarmUp {
   }
   ~WarmUp() {
     if (getpid() != process_)
-      gen::forget(thread_);
+      cache::forget(thread_);
     else if (thread_.joinable())
       thread_.join();
   }
@@ -54,18 +54,18 @@ ShaderLibrary::~ShaderLibrary() {
 }
 
 void ShaderLibrary::flush() {
-  gen::ShaderCache::process().flush();
+  cache::ShaderCache::process().flush();
 }
 
 void ShaderLibrary::warmUp() {
   static const WarmUp warmUp;
 }
 
-std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes key) {
+std::vector<uint32_t> ShaderLibrary::compile(cache::KeyKind kind, cache::KeyBytes key) {
   const auto start = std::chrono::steady_clock::now();
   const NoFork noFork;
-  std::string glsl = gen::emit(kind, key);
-  gen::CompileResult result = gen::compile(gen::stageOf(kind), glsl);
+  std::string glsl = cache::emit(kind, key);
+  gen::CompileResult result = gen::compile(cache::stageOf(kind), glsl);
   const auto time = std::chrono::steady_clock::now() - start;
   if (result.spirv.empty()) {
     const ShaderText text{kind, key};
@@ -73,14 +73,14 @@ std::vector<uint32_t> ShaderLibrary::compile(gen::KeyKind kind, gen::KeyBytes ke
     return {};
   }
   const auto microseconds = std::chrono::duration_cast<std::chrono::microseconds>(time).count();
-  gen::ShaderCache::process().store(kind, key, std::move(glsl), result.spirv, microseconds);
+  cache::ShaderCache::process().store(kind, key, std::move(glsl), result.spirv, microseconds);
   return std::move(result.spirv);
 }
 
-void ShaderLibrary::create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader, Counted counted) {
+void ShaderLibrary::create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted) {
   shader.kind = kind;
   shader.key = key;
-  std::vector<uint32_t> spirv = gen::ShaderCache::process().find(kind, key);
+  std::vector<uint32_t> spirv = cache::ShaderCache::process().find(kind, key);
   const bool cached = !spirv.empty();
   if (!cached) spirv = compile(kind, key);
   if (counted == Counted::Yes) ++(cached ? fromCache_ : compiled_);
@@ -111,7 +111,7 @@ VkShaderModule ShaderLibrary::createModule(const std::vector<uint32_t>& spirv, c
 
 const Shader* ShaderLibrary::get(const gen::VertexKey& key) {
   const Shader& shader = vertex_.get(key, [this](const gen::VertexKey& kept, Shader& made) {
-    create(gen::KeyKind::Vertex, gen::bytesOf(kept), made);
+    create(cache::KeyKind::Vertex, cache::bytesOf(kept), made);
     return true;
   });
   return shader.module ? &shader : nullptr;
@@ -119,7 +119,7 @@ const Shader* ShaderLibrary::get(const gen::VertexKey& key) {
 
 const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
   const Shader& shader = fragment_.get(key, [this](const gen::FragmentKey& kept, Shader& made) {
-    create(gen::KeyKind::Fragment, gen::bytesOf(kept), made);
+    create(cache::KeyKind::Fragment, cache::bytesOf(kept), made);
     return true;
   });
   return shader.module ? &shader : nullptr;
@@ -128,7 +128,7 @@ const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
 const Shader* ShaderLibrary::get(const OwnShader& own, Counted counted) {
   const Shader& shader = own_.get(&own, [&](const OwnShader* kept, Shader& made) {
     const bool vertex = kept->stage == gen::Stage::Vertex;
-    const auto kind = vertex ? gen::KeyKind::VertexText : gen::KeyKind::FragmentText;
+    const auto kind = vertex ? cache::KeyKind::VertexText : cache::KeyKind::FragmentText;
     create(kind, std::as_bytes(std::span(std::string_view(kept->text))), made, counted);
     return true;
   });

@@ -20,8 +20,8 @@ struct ShaderText;
 struct Shader {
   VkShaderModule module = VK_NULL_HANDLE;
   uint32_t id = 0;  // unlike any other shader's on this device
-  gen::KeyKind kind = gen::KeyKind::Vertex;
-  gen::KeyBytes key;  // lives as long as the shader
+  cache::KeyKind kind = cache::KeyKind::Vertex;
+  cache::KeyBytes key;  // lives as long as the shader
 };
 
 // Whether statistics tell of what is made, and a later run makes it ahead.
@@ -43,7 +43,7 @@ class ShaderLibrary {
   const Shader* get(const gen::VertexKey& key);
   const Shader* get(const gen::FragmentKey& key);
   const Shader* get(const OwnShader& own, Counted counted = Counted::Yes);
-  // By gen::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
+  // By cache::wordsOf(). Null also when they are none of this generator's, or of this renderer's.
   const Shader* get(gen::Stage stage, const std::string& words);
 
   uint64_t compiled() const { return compiled_; }
@@ -57,10 +57,10 @@ class ShaderLibrary {
   template <class Key>
   using Map = MadeOnce<Key, Shader, KeyHash<Key>>;
 
-  void create(gen::KeyKind kind, gen::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
+  void create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
   VkShaderModule createModule(const std::vector<uint32_t>& spirv, const ShaderText& text);
   // Empty: it does not compile.
-  std::vector<uint32_t> compile(gen::KeyKind kind, gen::KeyBytes key);
+  std::vector<uint32_t> compile(cache::KeyKind kind, cache::KeyBytes key);
 
   VulkanDevice& device_;
   Map<gen::VertexKey> vertex_;

@@ -23,7 +23,7 @@ void Presenter::add(Swapchain& swapchain, uint32_t image, uint64_t serial,
                     const std::vector<VkRectLayerKHR>& damage) {
   {
     const std::lock_guard lock(mutex_);
-    if (!thread_.joinable()) thread_ = gen::quietThread([this] { run(); });
+    if (!thread_.joinable()) thread_ = cache::quietThread([this] { run(); });
     if (thread_.joinable()) {
       pictures_.push_back({&swapchain, image, serial, damage});
       changed_.notify_all();

@@ -54,18 +54,19 @@ constexpr const char* kStates[] = {
     "color=R8G8B8A8_UNORM samples=1 array0=R32G32B32_SFLOAT/12 array4=R32G32_SFLOAT/8"};
 
 void fill(const std::filesystem::path& file) {
-  gen::Store store;
-  if (store.open(file, gen::Store::Mode::Create) != gen::Opened::Ok || !store.begin()) std::exit(1);
+  cache::Store store;
+  if (store.open(file, cache::Store::Mode::Create) != cache::Opened::Ok || !store.begin()) std::exit(1);
   for (const bool rich : {false, true}) {
     const Keys keys = keysOf(rich);
-    gen::ShaderRow row = gen::makeRow(gen::KeyKind::Vertex, gen::bytesOf(keys.vertex), "glsl", kSpirv, 1);
+    cache::ShaderRow row =
+        cache::makeRow(cache::KeyKind::Vertex, cache::bytesOf(keys.vertex), "glsl", kSpirv, 1);
     row.created = row.used = 1;
     store.put(row);
-    row = gen::makeRow(gen::KeyKind::Fragment, gen::bytesOf(keys.fragment), "glsl", kSpirv, 1);
+    row = cache::makeRow(cache::KeyKind::Fragment, cache::bytesOf(keys.fragment), "glsl", kSpirv, 1);
     row.created = row.used = 1;
     if (rich) row.generator = "another";
     store.put(row);
-    gen::PipelineRow pipeline;
+    cache::PipelineRow pipeline;
     pipeline.vertex = describe(keys.vertex);
     pipeline.fragment = describe(keys.fragment);
     pipeline.state = kStates[rich];
@@ -84,15 +85,15 @@ std::vector<std::string> corpus(const std::filesystem::path& folder) {
   fill(file);
   add(kFuzzDatabase, contents(file));
   for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + suffix);
-  gen::writeDriverBlob(file, std::as_bytes(std::span(kSpirv)));
+  cache::writeDriverBlob(file, std::as_bytes(std::span(kSpirv)));
   add(kFuzzBlob, contents(file));
   std::filesystem::remove(file);
   for (const bool rich : {false, true}) {
     const Keys keys = keysOf(rich);
     add(kFuzzWords, describe(keys.vertex));
     add(kFuzzWords, describe(keys.fragment));
-    add(kFuzzVertexKey, text(gen::bytesOf(keys.vertex)));
-    add(kFuzzFragmentKey, text(gen::bytesOf(keys.fragment)));
+    add(kFuzzVertexKey, text(cache::bytesOf(keys.vertex)));
+    add(kFuzzFragmentKey, text(cache::bytesOf(keys.fragment)));
   }
   for (const char* state : kStates) add(kFuzzState, state);
   add(kFuzzSpirv, text(std::as_bytes(std::span(kSpirv))));

@@ -55,28 +55,28 @@ void useKey(const Key& key) {
 
 void database(const std::string& bytes) {
   placeScratch(bytes);
-  gen::Store store;
-  if (store.open(scratch(), gen::Store::Mode::Read) == gen::Opened::Ok) {
+  cache::Store store;
+  if (store.open(scratch(), cache::Store::Mode::Read) == cache::Opened::Ok) {
     store.holdsCurrent();
     std::vector<uint32_t> spirv;
-    store.visitShaders([&](int64_t, int64_t, gen::ShaderRow& row, const std::string& why) {
+    store.visitShaders([&](int64_t, int64_t, cache::ShaderRow& row, const std::string& why) {
       if (!why.empty() || row.currentKey().empty()) return;
       const std::vector<std::byte> key = row.currentKey();
-      must(!gen::emit(row.kind, key).empty());
+      must(!cache::emit(row.kind, key).empty());
     });
-    store.visitPipelines([](int64_t, gen::PipelineRow&, const std::string&) {});
+    store.visitPipelines([](int64_t, cache::PipelineRow&, const std::string&) {});
     int64_t program = 0;
-    store.visitUsage([&](const gen::UsageRow& row) { program = row.program.id; });
+    store.visitUsage([&](const cache::UsageRow& row) { program = row.program.id; });
     must(store.usual(program, 256).size() <= 256);
     const std::string key = "#version 450\n// 0\n";
-    store.find(gen::KeyKind::VertexText, std::as_bytes(std::span(key)), spirv);
+    store.find(cache::KeyKind::VertexText, std::as_bytes(std::span(key)), spirv);
   }
   // As a program goes on.
-  if (store.open(scratch(), gen::Store::Mode::Create) != gen::Opened::Ok || !store.begin()) return;
+  if (store.open(scratch(), cache::Store::Mode::Create) != cache::Opened::Ok || !store.begin()) return;
   const std::string text = "#version 450\n// fuzz\n";
   const std::vector<uint32_t> spirv{0x07230203, 0x00010300, 0, 10, 0, 0x00010000};
-  const gen::ShaderRow row =
-      gen::makeRow(gen::KeyKind::VertexText, std::as_bytes(std::span(text)), text, spirv, 1);
+  const cache::ShaderRow row =
+      cache::makeRow(cache::KeyKind::VertexText, std::as_bytes(std::span(text)), text, spirv, 1);
   const bool good =
       store.put(row) && store.beginRun({1, "fuzz"}, 1) > 0 && store.shrink(20000) >= 0 && store.commit();
   if (!good) store.rollback();
@@ -84,7 +84,7 @@ void database(const std::string& bytes) {
 
 void blob(const std::string& bytes) {
   placeScratch(bytes);
-  const std::vector<std::byte> read = gen::readDriverBlob(scratch());
+  const std::vector<std::byte> read = cache::readDriverBlob(scratch());
   VkPhysicalDeviceProperties device{};
   vulkan::madeBy(std::as_bytes(std::span(bytes)), device);
   vulkan::madeBy(read, device);
@@ -92,9 +92,9 @@ void blob(const std::string& bytes) {
 
 void words(const std::string& text) {
   for (const gen::Stage stage : {gen::Stage::Vertex, gen::Stage::Fragment}) {
-    gen::KeyKind kind;
+    cache::KeyKind kind;
     std::vector<std::byte> key;
-    if (gen::keyOf(stage, text, kind, key)) must(!gen::emit(kind, key).empty());
+    if (cache::keyOf(stage, text, kind, key)) must(!cache::emit(kind, key).empty());
   }
   gen::VertexKey vertex;
   gen::FragmentKey fragment;
@@ -146,7 +146,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       keyBytes<anteroom::gen::FragmentKey>(rest);
       break;
     case kFuzzSpirv:
-      anteroom::gen::plausibleSpirv(std::as_bytes(std::span(rest)));
+      anteroom::cache::plausibleSpirv(std::as_bytes(std::span(rest)));
       break;
     case kFuzzState:
       state(rest);
