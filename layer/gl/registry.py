@@ -5,6 +5,7 @@ What is offered is EXTENSIONS_INC's decision: an extension that it lists brings 
 
   core_commands.inc  ANTEROOM_COMMAND(name): the commands of OpenGL ES 1.1, sorted
   commands.inc       the same with those of the extensions
+  gl.h               what <GLES/glext.h> lacks: enumerants, types and prototypes of the extensions
 """
 
 import pathlib
@@ -36,6 +37,10 @@ def of_es(extension):
     return own if names(own, "command") or names(own, "enum") else [r for r in requires if r.get("api") == "gles2"]
 
 
+def text_of(element):
+    return re.sub(r"\s+", " ", "".join(element.itertext())).strip()
+
+
 class Registry:
     def __init__(self, path, extensions):
         root = ElementTree.parse(path).getroot()
@@ -46,12 +51,44 @@ class Registry:
         core = [r for f in root.findall("feature") if f.get("api") == "gles1" for r in f.findall("require")]
         added = [r for name in extensions if name in registered for r in of_es(registered[name])]
 
+        self.commands = {command.find("proto/name").text: command for command in root.find("commands")}
         self.core_commands = sorted(set(names(core, "command")))
         self.extension_commands = sorted(set(names(added, "command")) - NOT_IN_ES)
+        self.own_enums = list(dict.fromkeys(names(core, "enum") + names(added, "enum")))
+        self.enums = {}
+        for group in root.findall("enums"):
+            for enum in group.findall("enum"):
+                if enum.get("api") in (None, "gles1", "gles2"):
+                    self.enums[enum.get("name")] = enum
+        self.types = {item.findtext("name"): item for item in root.find("types") if item.find("name") is not None}
+
+    def parameters(self, command):
+        return [(text_of(p), p.findtext("name"), p.findtext("ptype")) for p in self.commands[command].findall("param")]
+
+    def prototype(self, command):
+        parameters = ", ".join(declaration for declaration, _, _ in self.parameters(command)) or "void"
+        proto = self.commands[command].find("proto")
+        result = text_of(proto).removesuffix(command).strip()
+        return f"GL_API {result} GL_APIENTRY {command}({parameters})"
 
 
 def command_list(commands):
     return f"// {MADE}\n" + "".join(f"ANTEROOM_COMMAND({name})\n" for name in commands)
+
+
+def header(registry):
+    text = f"// {MADE}\n#pragma once\n\n#include <GLES/gl.h>\n#include <GLES/glext.h>\n\n"
+    for name in registry.own_enums:
+        element = registry.enums[name]
+        text += f"#ifndef {name}\n#define {name} {element.get('value')}{element.get('type', '')}\n#endif\n"
+    text += '\nextern "C" {\n'
+    used = {kind for command in registry.extension_commands for _, _, kind in registry.parameters(command)}
+    for name in sorted(used & registry.types.keys()):
+        declaration = text_of(registry.types[name])
+        if "(" in declaration:  # the others are in the headers
+            text += declaration.replace("( *", "(GL_APIENTRY *") + "\n"
+    text += "".join(registry.prototype(command) + ";\n" for command in registry.extension_commands)
+    return text + "}\n"
 
 
 def main():
@@ -62,6 +99,7 @@ def main():
     every = sorted(registry.core_commands + registry.extension_commands)
     (folder / "core_commands.inc").write_text(command_list(registry.core_commands))
     (folder / "commands.inc").write_text(command_list(every))
+    (folder / "gl.h").write_text(header(registry))
 
 
 if __name__ == "__main__":

@@ -13,9 +13,6 @@
 // Commands that touch shared objects or the renderer hold a ShareLock; internal functions never take one.
 #pragma once
 
-#include <GLES/gl.h>
-#include <GLES/glext.h>
-
 #include <array>
 #include <atomic>
 #include <memory>
@@ -26,6 +23,7 @@
 #include "layer/gl/context/object_table.h"
 #include "layer/gl/front_end.h"
 #include "layer/render/renderer.h"
+#include "registry/gl.h"
 
 namespace anteroom::gl {
 

@@ -3,7 +3,6 @@
 #include <iterator>
 
 #include "layer/gl/context/context.h"
-#include "layer/gl/queries/missing_enums.h"
 
 namespace anteroom::gl {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "layer/gl/context/context.h"
-#include "layer/gl/queries/missing_enums.h"
 
 namespace anteroom::gl {
 

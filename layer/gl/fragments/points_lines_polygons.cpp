@@ -1,6 +1,5 @@
 // Sections 3.3 to 3.5: points, lines, polygons.
 #include "layer/gl/context/params.h"
-#include "layer/gl/queries/missing_enums.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;

@@ -1,6 +1,5 @@
 // OES_framebuffer_object and OES_fbo_render_mipmap: framebuffer objects, their attachments and completeness.
 #include "layer/gl/framebuffers/framebuffer_object.h"
-#include "layer/gl/queries/missing_enums.h"
 
 #include <algorithm>
 #include <utility>

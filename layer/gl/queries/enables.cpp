@@ -2,7 +2,6 @@
 #include "layer/gl/queries/enables.h"
 
 #include "layer/gl/debug/debug_output.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/queries/query.h"
 #include "layer/gl/vertices/vertex_arrays.h"
 

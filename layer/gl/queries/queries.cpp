@@ -7,7 +7,6 @@
 #include "layer/gl/framebuffers/framebuffer_object.h"
 #include "layer/gl/queries/enables.h"
 #include "layer/gl/queries/hints.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/queries/query.h"
 #include "layer/gl/textures/compressed.h"
 #include "layer/gl/textures/paletted.h"
@@ -72,9 +71,7 @@ PixelFormat readFormat(Context& c) {
   return implementationReadFormat(c.readFramebuffer);
 }
 
-// KHR_debug and KHR_no_error; the header of ES 1.x does not have them.
-constexpr GLenum kContextFlags = 0x821E;
-constexpr GLint kContextFlagDebugBit = 0x2, kContextFlagNoErrorBit = 0x8;
+constexpr GLenum kContextFlags = 0x821E;  // of OpenGL, as KHR_debug and KHR_no_error use it
 
 using enum Results::Kind;
 
@@ -283,7 +280,7 @@ constexpr auto kQueries = tableOf<Query<Context>>({
      }},
     {kContextFlags, Integer,
      [](Context& c) {
-       return (c.options.debug ? kContextFlagDebugBit : 0) | (c.options.noError ? kContextFlagNoErrorBit : 0);
+       return (c.options.debug ? GL_CONTEXT_FLAG_DEBUG_BIT_KHR : 0) | (c.options.noError ? GL_CONTEXT_FLAG_NO_ERROR_BIT_KHR : 0);
      }},
     {GL_MAX_DEBUG_MESSAGE_LENGTH_KHR, Integer, [](Context&) { return kMostMessageLength; }},
     {GL_MAX_DEBUG_LOGGED_MESSAGES_KHR, Integer, [](Context&) { return kMostLoggedMessages; }},

@@ -4,13 +4,13 @@
 #include <bit>
 #include <cstring>
 
+#include "registry/gl.h"
+
 namespace anteroom::gl {
 
 using render::Format;
 
 namespace {
-
-constexpr GLenum kDxt3 = 0x83F2, kDxt5 = 0x83F3;  // of ANGLE_texture_compression_dxt
 
 constexpr CompressionErrors kEtc1{GL_INVALID_OPERATION};
 constexpr CompressionErrors kS3tc{GL_INVALID_OPERATION, GL_INVALID_OPERATION, GL_INVALID_OPERATION};
@@ -21,8 +21,10 @@ constexpr CompressedFormat kFormats[] = {
     {GL_ETC1_RGB8_OES, GL_RGB, Format::RGB8, 8, decodeEtc1, SubImages::Blocks, kEtc1},
     {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_RGB, Format::RGB8, 8, decodeDxt1, SubImages::BlocksOrSide, kS3tc},
     {GL_COMPRESSED_RGBA_S3TC_DXT1_EXT, GL_RGBA, Format::RGBA8, 8, decodeDxt1, SubImages::BlocksOrSide, kS3tc},
-    {kDxt3, GL_RGBA, Format::RGBA8, 16, decodeDxt3, SubImages::BlocksOrSide, kS3tc, 4, true},
-    {kDxt5, GL_RGBA, Format::RGBA8, 16, decodeDxt5, SubImages::BlocksOrSide, kS3tc, 4, true},
+    {GL_COMPRESSED_RGBA_S3TC_DXT3_ANGLE, GL_RGBA, Format::RGBA8, 16, decodeDxt3, SubImages::BlocksOrSide,
+     kS3tc, 4, true},
+    {GL_COMPRESSED_RGBA_S3TC_DXT5_ANGLE, GL_RGBA, Format::RGBA8, 16, decodeDxt5, SubImages::BlocksOrSide,
+     kS3tc, 4, true},
     {GL_3DC_X_AMD, GL_RGB, Format::RGB8, 8, decode3dcX, SubImages::Blocks, k3dc},
     {GL_3DC_XY_AMD, GL_RGB, Format::RGB8, 16, decode3dcXy, SubImages::Blocks, k3dc},
     {GL_COMPRESSED_RGB_PVRTC_4BPPV1_IMG, GL_RGB, Format::RGB8, 8, nullptr, SubImages::Whole, kPvrtc, 4},

@@ -3,7 +3,6 @@
 
 #include "gen/ati.h"
 #include "layer/gl/framebuffers/framebuffer_object.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/textures/texture.h"
 
 namespace anteroom::gl {

@@ -1,6 +1,5 @@
 // TexParameter and its queries (sections 3.7.5, 6.1.3).
 #include "gen/ati.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/queries/query.h"
 #include "layer/gl/textures/texture.h"
 

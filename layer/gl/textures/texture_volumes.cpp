@@ -1,6 +1,5 @@
 // OES_texture_3D: images of three dimensions. Slices follow each other in memory without gaps.
 #include "layer/gl/framebuffers/framebuffer_object.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/textures/compressed.h"
 #include "layer/gl/textures/texture_validation.h"
 
