@@ -6,6 +6,7 @@ What is offered is EXTENSIONS_INC's decision: an extension that it lists brings 
   core_commands.inc  ANTEROOM_COMMAND(name): the commands of OpenGL ES 1.1, sorted
   commands.inc       the same with those of the extensions
   gl.h               what <GLES/glext.h> lacks: enumerants, types and prototypes of the extensions
+  aliases.cpp        commands of extensions that are core commands under another name
 """
 
 import pathlib
@@ -91,6 +92,16 @@ def header(registry):
     return text + "}\n"
 
 
+def aliases(registry):
+    text = f'// {MADE}\n#include "registry/gl.h"\n'
+    for command in registry.extension_commands:
+        core = re.sub(r"[A-Z]+$", "", command)
+        if core in registry.core_commands:
+            arguments = ", ".join(name for _, name, _ in registry.parameters(command))
+            text += f"\n{registry.prototype(command)} {{\n  return {core}({arguments});\n}}\n"
+    return text
+
+
 def main():
     gl_xml, extensions_inc, folder = (pathlib.Path(argument) for argument in sys.argv[1:])
     listed = re.findall(r"^ANTEROOM_EXTENSION\((\w+),", extensions_inc.read_text(), re.MULTILINE)
@@ -100,6 +111,7 @@ def main():
     (folder / "core_commands.inc").write_text(command_list(registry.core_commands))
     (folder / "commands.inc").write_text(command_list(every))
     (folder / "gl.h").write_text(header(registry))
+    (folder / "aliases.cpp").write_text(aliases(registry))
 
 
 if __name__ == "__main__":

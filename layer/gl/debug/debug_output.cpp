@@ -266,10 +266,6 @@ GL_API GLuint GL_APIENTRY glGetDebugMessageLogKHR(GLuint count, GLsizei bufSize,
   return fetched;
 }
 
-GL_API void GL_APIENTRY glGetPointervKHR(GLenum pname, void** params) {
-  glGetPointerv(pname, params);
-}
-
 GL_API void GL_APIENTRY glPushDebugGroupKHR(GLenum source, GLuint id, GLsizei length, const GLchar* message) {
   Context* c = current();
   if (!c) return;
