@@ -5,6 +5,7 @@ What is offered is EXTENSIONS_INC's decision: an extension that it lists brings 
 
   core_commands.inc  ANTEROOM_COMMAND(name): the commands of OpenGL ES 1.1, sorted
   commands.inc       the same with those of the extensions
+  enums.inc          ANTEROOM_ENUM(name, value): a name for each enumerant of any GL, sorted by value
   gl.h               what <GLES/glext.h> lacks: enumerants, types and prototypes of the extensions
   aliases.cpp        commands of extensions that are core commands under another name
 """
@@ -60,7 +61,7 @@ class Registry:
         for group in root.findall("enums"):
             for enum in group.findall("enum"):
                 if enum.get("api") in (None, "gles1", "gles2"):
-                    self.enums[enum.get("name")] = enum
+                    self.enums[enum.get("name")] = (int(enum.get("value"), 0), group.get("type") == "bitmask", enum)
         self.types = {item.findtext("name"): item for item in root.find("types") if item.find("name") is not None}
 
     def parameters(self, command):
@@ -77,10 +78,23 @@ def command_list(commands):
     return f"// {MADE}\n" + "".join(f"ANTEROOM_COMMAND({name})\n" for name in commands)
 
 
+def enum_list(registry):
+    """Bits and small numbers have too many names; of several the first is ours, or else the shortest."""
+    own = {name: rank for rank, name in enumerate(registry.own_enums)}
+    best = {}
+    for name, (value, bits, _) in registry.enums.items():
+        if bits or not 0x100 <= value <= 0xFFFF:
+            continue
+        rank = (own.get(name, len(own)), len(name), name)
+        best[value] = min(best.get(value, rank), rank)
+    rows = (f"ANTEROOM_ENUM({name}, 0x{value:04X})\n" for value, (_, _, name) in sorted(best.items()))
+    return f"// {MADE}\n" + "".join(rows)
+
+
 def header(registry):
     text = f"// {MADE}\n#pragma once\n\n#include <GLES/gl.h>\n#include <GLES/glext.h>\n\n"
     for name in registry.own_enums:
-        element = registry.enums[name]
+        element = registry.enums[name][2]
         text += f"#ifndef {name}\n#define {name} {element.get('value')}{element.get('type', '')}\n#endif\n"
     text += '\nextern "C" {\n'
     used = {kind for command in registry.extension_commands for _, _, kind in registry.parameters(command)}
@@ -110,6 +124,7 @@ def main():
     every = sorted(registry.core_commands + registry.extension_commands)
     (folder / "core_commands.inc").write_text(command_list(registry.core_commands))
     (folder / "commands.inc").write_text(command_list(every))
+    (folder / "enums.inc").write_text(enum_list(registry))
     (folder / "gl.h").write_text(header(registry))
     (folder / "aliases.cpp").write_text(aliases(registry))
 

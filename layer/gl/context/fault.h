@@ -8,7 +8,7 @@
 namespace anteroom::gl {
 
 struct Fault {
-  enum class Kind : uint8_t { Unknown, State, Number, Enum };
+  enum class Kind : uint8_t { Unknown, State, Number, Enum, Bits };
 
   Kind kind = Kind::Unknown;
   const char* subject = nullptr;  // an argument's name; or, of State, a sentence
@@ -19,6 +19,11 @@ struct Fault {
 // An argument that must be one of some names.
 inline Fault wrongEnum(const char* argument, GLenum value, const char* remedy) {
   return {Fault::Kind::Enum, argument, static_cast<double>(value), remedy};
+}
+
+// An argument that is made of bits.
+inline Fault wrongBits(const char* argument, GLbitfield value, const char* remedy) {
+  return {Fault::Kind::Bits, argument, static_cast<double>(value), remedy};
 }
 
 // An argument that is a number.

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cinttypes>
 #include <cstdio>
 #include <cstring>
 #include <new>
+
+#include "layer/gl/debug/enum_names.h"
 
 namespace anteroom::gl {
 namespace {
@@ -63,11 +64,14 @@ const ErrorText& textOf(GLenum code) {
 
 std::string shownValue(const Fault& fault) {
   char text[32];
-  if (fault.kind == Fault::Kind::Enum)
-    std::snprintf(text, sizeof text, "0x%04" PRIX64, static_cast<uint64_t>(fault.value));
-  else
+  if (fault.kind == Fault::Kind::Number) {
     std::snprintf(text, sizeof text, "%.9g", fault.value);
-  return text;
+    return text;
+  }
+  const GLenum value = static_cast<GLenum>(fault.value);
+  std::snprintf(text, sizeof text, "0x%04X", value);
+  const std::string_view name = fault.kind == Fault::Kind::Enum ? enumName(value) : std::string_view();
+  return name.empty() ? text : std::string(name) + " (" + text + ")";
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ GL_API void GL_APIENTRY glClear(GLbitfield mask) {
   if (mask & ~(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT)) {
     return c->setError(
         GL_INVALID_VALUE,
-        wrongEnum("mask", mask, "Use COLOR_BUFFER_BIT, DEPTH_BUFFER_BIT and STENCIL_BUFFER_BIT"));
+        wrongBits("mask", mask, "Use COLOR_BUFFER_BIT, DEPTH_BUFFER_BIT and STENCIL_BUFFER_BIT"));
   }
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
