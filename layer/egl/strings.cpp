@@ -1,4 +1,7 @@
 // Section 3.3.
+#include <algorithm>
+#include <string_view>
+
 #include "layer/egl/display.h"
 #include "layer/egl/eglanteroom.h"
 #include "layer/egl/errors.h"
@@ -23,6 +26,15 @@ constexpr const char* kDisplayExtensions =
 #undef ANTEROOM_CLIENT_EXTENSION
 #undef ANTEROOM_DISPLAY_EXTENSION
     ;
+
+constexpr std::string_view kExtensions[] = {
+#define ANTEROOM_CLIENT_EXTENSION(name, purpose) #name,
+#define ANTEROOM_DISPLAY_EXTENSION(name, purpose) #name,
+#include "layer/egl/extensions.inc"
+#undef ANTEROOM_CLIENT_EXTENSION
+#undef ANTEROOM_DISPLAY_EXTENSION
+};
+static_assert(std::ranges::is_sorted(kExtensions));
 
 // What can be asked without a display; null: nothing of that name.
 const char* clientString(EGLint name) {

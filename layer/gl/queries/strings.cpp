@@ -1,4 +1,5 @@
 // Section 6.1.5: GetString, and the table of what the layer offers beyond the core.
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,7 @@ constexpr std::string_view kExtensions[] = {
 #include "layer/gl/extensions.inc"
 #undef ANTEROOM_EXTENSION
 };
+static_assert(std::ranges::is_sorted(kExtensions));
 
 // What some devices lack.
 bool offered(const render::Caps& caps, std::string_view name) {
