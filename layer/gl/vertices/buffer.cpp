@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <new>
 
-#include "layer/gl/context/context.h"
+#include "layer/gl/queries/query.h"
 
 namespace anteroom::gl {
 namespace {
@@ -92,6 +91,16 @@ void* map(Context& c, BufferObject& buffer, size_t offset, size_t length, GLbitf
 bool isMapped(const std::shared_ptr<BufferObject>& buffer) {
   return buffer && buffer->mapped;
 }
+
+using enum Results::Kind;
+
+// Table 6.6, OES_mapbuffer.
+constexpr auto kBufferQueries = tableOf<Query<BufferObject>>({
+    {GL_BUFFER_SIZE, Integer, [](BufferObject& b) { return b.size(); }},
+    {GL_BUFFER_USAGE, Enum, [](BufferObject& b) { return b.usage; }},
+    {GL_BUFFER_ACCESS_OES, Enum, [](BufferObject&) { return GL_WRITE_ONLY_OES; }},
+    {GL_BUFFER_MAPPED_OES, Boolean, [](BufferObject& b) { return b.mapped != nullptr; }},
+});
 
 }  // namespace
 
@@ -192,28 +201,14 @@ GL_API void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLin
   if (!c) return;
   ShareLock lock(*c->group);
   if (!binding(*c, target)) return c->setError(GL_INVALID_ENUM, wrongTarget(target));
-  if (pname != GL_BUFFER_SIZE && pname != GL_BUFFER_USAGE && pname != GL_BUFFER_ACCESS_OES &&
-      pname != GL_BUFFER_MAPPED_OES) {
+  if (!kBufferQueries.find(pname))
     return c->setError(
         GL_INVALID_ENUM,
         wrongEnum("pname", pname, "Use BUFFER_SIZE, BUFFER_USAGE, BUFFER_ACCESS_OES or BUFFER_MAPPED_OES"));
-  }
-  const BufferObject* buffer = boundBuffer(*c, target);
+  BufferObject* buffer = boundBuffer(*c, target);
   if (!buffer || !params) return;
-  constexpr size_t kLargest = std::numeric_limits<GLint>::max();
-  switch (pname) {
-    case GL_BUFFER_SIZE:
-      *params = static_cast<GLint>(std::min(buffer->size(), kLargest));
-      break;
-    case GL_BUFFER_USAGE:
-      *params = static_cast<GLint>(buffer->usage);
-      break;
-    case GL_BUFFER_ACCESS_OES:
-      *params = GL_WRITE_ONLY_OES;
-      break;
-    default:
-      *params = buffer->mapped ? GL_TRUE : GL_FALSE;
-  }
+  Results results(params, Results::Form::Integer);
+  answer(kBufferQueries, *buffer, pname, results);
 }
 
 // OES_mapbuffer

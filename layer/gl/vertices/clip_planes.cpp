@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "layer/gl/context/context.h"
+#include "layer/gl/context/params.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -31,6 +31,14 @@ void setPlane(GLenum name, const glm::dvec4& equation, const char* command = __b
   c->set(plane->equation, eye, gen::kGroupClipPlanes);
 }
 
+void getPlane(GLenum name, void* equation, Results::Form form, const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c) return;
+  const gen::ClipPlane* plane = planeOf(*c, name);
+  if (!plane) return c->setError(GL_INVALID_ENUM, wrongPlane(name), command);
+  if (equation) Results(equation, form).put(Results::Kind::Number, plane->equation);
+}
+
 }  // namespace
 
 GL_API void GL_APIENTRY glClipPlanef(GLenum plane, const GLfloat* equation) {
@@ -44,19 +52,9 @@ GL_API void GL_APIENTRY glClipPlanex(GLenum plane, const GLfixed* equation) {
 }
 
 GL_API void GL_APIENTRY glGetClipPlanef(GLenum name, GLfloat* equation) {
-  Context* c = current();
-  if (!c) return;
-  const gen::ClipPlane* plane = planeOf(*c, name);
-  if (!plane) return c->setError(GL_INVALID_ENUM, wrongPlane(name));
-  if (!equation) return;
-  for (int i = 0; i < 4; ++i) equation[i] = static_cast<GLfloat>(plane->equation[i]);
+  getPlane(name, equation, Results::Form::Float);
 }
 
 GL_API void GL_APIENTRY glGetClipPlanex(GLenum name, GLfixed* equation) {
-  Context* c = current();
-  if (!c) return;
-  const gen::ClipPlane* plane = planeOf(*c, name);
-  if (!plane) return c->setError(GL_INVALID_ENUM, wrongPlane(name));
-  if (!equation) return;
-  for (int i = 0; i < 4; ++i) equation[i] = toFixed(plane->equation[i]);
+  getPlane(name, equation, Results::Form::Fixed);
 }
