@@ -1,13 +1,17 @@
 #!/usr/bin/env python3
-"""Checks what a shared library exports and needs: exports.py LIBRARY PREFIX [--not-needed NAME]...
+"""Checks what a shared library exports and needs: exports.py LIBRARY PREFIX [--exactly NAMES] [--not-needed NAME]...
 
 Exit status 77 when the library is not there.
 """
 
 import argparse
 import pathlib
+import re
 import subprocess
 import sys
+
+COMMAND = re.compile(r"^ANTEROOM_COMMAND\((\w+)\)$", re.MULTILINE)
+EGL_TABLE = "glAnteroomEglTable"  # by which libEGL reaches the implementation
 
 
 def run(*command):
@@ -32,6 +36,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("library", type=pathlib.Path)
     parser.add_argument("prefix")
+    parser.add_argument("--exactly", type=pathlib.Path, help="a file of ANTEROOM_COMMAND(name): what it exports")
     parser.add_argument("--not-needed", action="append", default=[])
     arguments = parser.parse_args()
     if not arguments.library.exists():
@@ -40,6 +45,10 @@ def main():
 
     names = set(exported(arguments.library))
     faults = [f"exports {name}" for name in sorted(names) if not name.startswith(arguments.prefix)]
+    if arguments.exactly:
+        wanted = set(COMMAND.findall(arguments.exactly.read_text())) | {EGL_TABLE}
+        faults += [f"does not export {name}" for name in sorted(wanted - names)]
+        faults += [f"exports {name}, which no listed extension has" for name in sorted(names - wanted)]
     if not names:
         faults.append("exports nothing")
     for library in needed(arguments.library):
