@@ -12,9 +12,10 @@ inline GLenum toEnum(float value) {
   return value >= 0 && value < 4294967296.0f ? static_cast<GLenum>(value) : ~GLenum{0};
 }
 
+// NaN gives 0.
 inline float clamp01(float value) {
   return value > 0 ? (value < 1 ? value : 1) : 0;
-}  // NaN gives 0
+}
 inline glm::vec4 clamp01(const glm::vec4& v) {
   return {clamp01(v.x), clamp01(v.y), clamp01(v.z), clamp01(v.w)};
 }
@@ -34,6 +35,11 @@ class Params {
   float number(int i = 0) const {
     if (form_ == Form::Float) return static_cast<const GLfloat*>(values_)[i];
     return form_ == Form::Fixed ? fromFixed(integer(i)) : static_cast<float>(integer(i));
+  }
+  // The nearest integer.
+  GLint rounded(int i) const {
+    if (form_ == Form::Float) return roundToInt(static_cast<const GLfloat*>(values_)[i]);
+    return form_ == Form::Fixed ? roundToInt(fixedToDouble(integer(i))) : integer(i);
   }
   // A color component: integers as Table 2.7 has it for signed ones.
   float component(int i) const {
@@ -72,6 +78,8 @@ class Results {
   };
 
   Results(void* out, Form form) : out_(out), form_(form) {}
+
+  bool null() const { return out_ == nullptr; }
 
   // A value; or those of a vector, of a matrix column by column, or of a list.
   template <class T>

@@ -1,5 +1,5 @@
 // Section 3.8: fog.
-#include "layer/gl/context/params.h"
+#include "layer/gl/context/forms.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -42,15 +42,4 @@ void setFog(GLenum pname, const Params& params, const char* command = __builtin_
 
 }  // namespace
 
-GL_API void GL_APIENTRY glFogf(GLenum pname, GLfloat param) {
-  setFog(pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glFogfv(GLenum pname, const GLfloat* params) {
-  setFog(pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glFogx(GLenum pname, GLfixed param) {
-  setFog(pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glFogxv(GLenum pname, const GLfixed* params) {
-  setFog(pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glFog, , (GLenum pname), setFog(pname, params))

@@ -1,5 +1,5 @@
 // Sections 3.3 to 3.5: points, lines, polygons.
-#include "layer/gl/context/params.h"
+#include "layer/gl/context/forms.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -53,18 +53,7 @@ GL_API void GL_APIENTRY glPointSizex(GLfixed size) {
   glPointSize(fromFixed(size));
 }
 
-GL_API void GL_APIENTRY glPointParameterf(GLenum pname, GLfloat param) {
-  setPointParameter(pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glPointParameterfv(GLenum pname, const GLfloat* params) {
-  setPointParameter(pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glPointParameterx(GLenum pname, GLfixed param) {
-  setPointParameter(pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glPointParameterxv(GLenum pname, const GLfixed* params) {
-  setPointParameter(pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glPointParameter, , (GLenum pname), setPointParameter(pname, params))
 
 GL_API void GL_APIENTRY glLineWidth(GLfloat width) {
   Context* c = current();

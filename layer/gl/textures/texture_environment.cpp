@@ -1,6 +1,7 @@
 // Sections 3.7.12 and 3.3: texture environments and point sprite coordinates; the active unit (2.10.2); and
 // texture coordinate generation (OES_texture_cube_map).
 #include "gen/ati.h"
+#include "layer/gl/context/forms.h"
 #include "layer/gl/queries/query.h"
 
 using namespace anteroom::gl;
@@ -206,7 +207,7 @@ constexpr auto kEnvQueries = tableOf<Query<Context>>({
 
 void getEnv(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c) return;
+  if (!c || results.null()) return;
   gen::TextureEnv& env = activeUnit(*c).env;
   if (target == GL_POINT_SPRITE_OES && pname == GL_COORD_REPLACE_OES)
     return results.put(Boolean, env.coordReplace);
@@ -222,15 +223,17 @@ void getEnv(GLenum target, GLenum pname, Results results, const char* command = 
     c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
 }
 
+Fault wrongTexGen(GLenum coord, GLenum pname) {
+  const bool ofCoord = coord != GL_TEXTURE_GEN_STR_OES;
+  return wrongEnum(ofCoord ? "coord" : "pname", ofCoord ? coord : pname,
+                   "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES");
+}
+
 void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c || params.null()) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
-    return c->setError(GL_INVALID_ENUM,
-                       wrongEnum(coord != GL_TEXTURE_GEN_STR_OES ? "coord" : "pname",
-                                 coord != GL_TEXTURE_GEN_STR_OES ? coord : pname,
-                                 "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES"),
-                       command);
+    return c->setError(GL_INVALID_ENUM, wrongTexGen(coord, pname), command);
   const GLenum mode = params.enumerant();
   if (mode != GL_NORMAL_MAP_OES && mode != GL_REFLECTION_MAP_OES)
     return c->setError(GL_INVALID_ENUM, wrongEnum("param", mode, "Use NORMAL_MAP_OES or REFLECTION_MAP_OES"),
@@ -240,13 +243,9 @@ void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* com
 
 void getTexGen(GLenum coord, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c) return;
+  if (!c || results.null()) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
-    return c->setError(GL_INVALID_ENUM,
-                       wrongEnum(coord != GL_TEXTURE_GEN_STR_OES ? "coord" : "pname",
-                                 coord != GL_TEXTURE_GEN_STR_OES ? coord : pname,
-                                 "Use TEXTURE_GEN_STR_OES and TEXTURE_GEN_MODE_OES"),
-                       command);
+    return c->setError(GL_INVALID_ENUM, wrongTexGen(coord, pname), command);
   results.put(Enum, activeUnit(*c).texGenMode);
 }
 
@@ -263,59 +262,12 @@ GL_API void GL_APIENTRY glActiveTexture(GLenum texture) {
   c->activeTexture = static_cast<int>(unit);
 }
 
-GL_API void GL_APIENTRY glTexEnvf(GLenum target, GLenum pname, GLfloat param) {
-  setEnv(target, pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glTexEnvfv(GLenum target, GLenum pname, const GLfloat* params) {
-  setEnv(target, pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glTexEnvi(GLenum target, GLenum pname, GLint param) {
-  setEnv(target, pname, Params::integers(&param, false));
-}
-GL_API void GL_APIENTRY glTexEnviv(GLenum target, GLenum pname, const GLint* params) {
-  setEnv(target, pname, Params::integers(params, true));
-}
-GL_API void GL_APIENTRY glTexEnvx(GLenum target, GLenum pname, GLfixed param) {
-  setEnv(target, pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glTexEnvxv(GLenum target, GLenum pname, const GLfixed* params) {
-  setEnv(target, pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glTexEnv, , (GLenum target, GLenum pname), setEnv(target, pname, params))
+ANTEROOM_INTEGER_SETTERS(glTexEnv, , (GLenum target, GLenum pname), setEnv(target, pname, params))
+ANTEROOM_GETTERS(glGetTexEnv, , (GLenum target, GLenum pname), getEnv(target, pname, results))
+ANTEROOM_INTEGER_GETTER(glGetTexEnv, , (GLenum target, GLenum pname), getEnv(target, pname, results))
 
-GL_API void GL_APIENTRY glGetTexEnvfv(GLenum target, GLenum pname, GLfloat* params) {
-  if (params) getEnv(target, pname, {params, Results::Form::Float});
-}
-GL_API void GL_APIENTRY glGetTexEnviv(GLenum target, GLenum pname, GLint* params) {
-  if (params) getEnv(target, pname, {params, Results::Form::Integer});
-}
-GL_API void GL_APIENTRY glGetTexEnvxv(GLenum target, GLenum pname, GLfixed* params) {
-  if (params) getEnv(target, pname, {params, Results::Form::Fixed});
-}
-
-GL_API void GL_APIENTRY glTexGenfOES(GLenum coord, GLenum pname, GLfloat param) {
-  setTexGen(coord, pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glTexGenfvOES(GLenum coord, GLenum pname, const GLfloat* params) {
-  setTexGen(coord, pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glTexGeniOES(GLenum coord, GLenum pname, GLint param) {
-  setTexGen(coord, pname, Params::integers(&param, false));
-}
-GL_API void GL_APIENTRY glTexGenivOES(GLenum coord, GLenum pname, const GLint* params) {
-  setTexGen(coord, pname, Params::integers(params, true));
-}
-GL_API void GL_APIENTRY glTexGenxOES(GLenum coord, GLenum pname, GLfixed param) {
-  setTexGen(coord, pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glTexGenxvOES(GLenum coord, GLenum pname, const GLfixed* params) {
-  setTexGen(coord, pname, Params::fixeds(params, true));
-}
-GL_API void GL_APIENTRY glGetTexGenfvOES(GLenum coord, GLenum pname, GLfloat* params) {
-  if (params) getTexGen(coord, pname, {params, Results::Form::Float});
-}
-GL_API void GL_APIENTRY glGetTexGenivOES(GLenum coord, GLenum pname, GLint* params) {
-  if (params) getTexGen(coord, pname, {params, Results::Form::Integer});
-}
-GL_API void GL_APIENTRY glGetTexGenxvOES(GLenum coord, GLenum pname, GLfixed* params) {
-  if (params) getTexGen(coord, pname, {params, Results::Form::Fixed});
-}
+ANTEROOM_SETTERS(glTexGen, OES, (GLenum coord, GLenum pname), setTexGen(coord, pname, params))
+ANTEROOM_INTEGER_SETTERS(glTexGen, OES, (GLenum coord, GLenum pname), setTexGen(coord, pname, params))
+ANTEROOM_GETTERS(glGetTexGen, OES, (GLenum coord, GLenum pname), getTexGen(coord, pname, results))
+ANTEROOM_INTEGER_GETTER(glGetTexGen, OES, (GLenum coord, GLenum pname), getTexGen(coord, pname, results))

@@ -1,5 +1,6 @@
 // TexParameter and its queries (sections 3.7.5, 6.1.3).
 #include "gen/ati.h"
+#include "layer/gl/context/forms.h"
 #include "layer/gl/queries/query.h"
 #include "layer/gl/textures/texture.h"
 
@@ -35,7 +36,6 @@ void assign(Context& c, Texture& texture, T& field, T value, bool legal, const c
   texture.changed(c);
 }
 
-// Parameters of one value.
 void setParameter(GLenum target, GLenum pname, const Params& params,
                   const char* command = __builtin_FUNCTION()) {
   Context* c = current();
@@ -72,24 +72,14 @@ void setParameter(GLenum target, GLenum pname, const Params& params,
       const int level = roundToInt(params.number());
       return assign(*c, texture, sampler.maxLevel, level, level >= 0, command, GL_INVALID_VALUE);
     }
+    case GL_TEXTURE_CROP_RECT_OES:
+      if (!params.vector()) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
+      for (size_t i = 0; i < texture.cropRect.size(); ++i)
+        texture.cropRect[i] = params.rounded(static_cast<int>(i));
+      return;
     default:
       c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
   }
-}
-
-// Vector commands take the crop rectangle too; `toInt` reads a coordinate (OES_draw_texture).
-template <class T, class ToInt>
-void setParameters(GLenum target, GLenum pname, const Params& params, const T* values, ToInt toInt,
-                   const char* command = __builtin_FUNCTION()) {
-  if (pname != GL_TEXTURE_CROP_RECT_OES) return setParameter(target, pname, params, command);
-  Context* c = current();
-  if (!c) return;
-  const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
-  if (!values) return;
-  ShareLock lock(*c->group);
-  for (size_t i = 0; i < 4; ++i) boundTexture(*c, slot).cropRect[i] = toInt(values[i]);
 }
 
 using enum Results::Kind;
@@ -111,55 +101,22 @@ constexpr auto kTextureQueries = tableOf<Query<Texture>>({
     {GL_TEXTURE_MAX_LEVEL_APPLE, Integer, [](Texture& t) { return t.sampler.maxLevel; }},
 });
 
-void getParameter(GLenum target, GLenum pname, void* params, Results::Form form,
-                  const char* command = __builtin_FUNCTION()) {
+void getParameter(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = bindingSlot(target);
   if (slot == kSlotCount)
     return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
-  if (!params) return;
+  if (results.null()) return;
   ShareLock lock(*c->group);
-  Results results(params, form);
   if (!answer(kTextureQueries, boundTexture(*c, slot), pname, results))
     c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
 }
 
 }  // namespace
 
-GL_API void GL_APIENTRY glTexParameterf(GLenum target, GLenum pname, GLfloat param) {
-  setParameter(target, pname, Params::floats(&param, false));
-}
-
-GL_API void GL_APIENTRY glTexParameterx(GLenum target, GLenum pname, GLfixed param) {
-  setParameter(target, pname, Params::fixeds(&param, false));
-}
-
-GL_API void GL_APIENTRY glTexParameteri(GLenum target, GLenum pname, GLint param) {
-  setParameter(target, pname, Params::integers(&param, false));
-}
-
-GL_API void GL_APIENTRY glTexParameterfv(GLenum target, GLenum pname, const GLfloat* params) {
-  setParameters(target, pname, Params::floats(params, true), params, [](GLfloat v) { return roundToInt(v); });
-}
-
-GL_API void GL_APIENTRY glTexParameterxv(GLenum target, GLenum pname, const GLfixed* params) {
-  setParameters(target, pname, Params::fixeds(params, true), params,
-                [](GLfixed v) { return roundToInt(fixedToDouble(v)); });
-}
-
-GL_API void GL_APIENTRY glTexParameteriv(GLenum target, GLenum pname, const GLint* params) {
-  setParameters(target, pname, Params::integers(params, true), params, [](GLint v) { return v; });
-}
-
-GL_API void GL_APIENTRY glGetTexParameterfv(GLenum target, GLenum pname, GLfloat* params) {
-  getParameter(target, pname, params, Results::Form::Float);
-}
-
-GL_API void GL_APIENTRY glGetTexParameterxv(GLenum target, GLenum pname, GLfixed* params) {
-  getParameter(target, pname, params, Results::Form::Fixed);
-}
-
-GL_API void GL_APIENTRY glGetTexParameteriv(GLenum target, GLenum pname, GLint* params) {
-  getParameter(target, pname, params, Results::Form::Integer);
-}
+ANTEROOM_SETTERS(glTexParameter, , (GLenum target, GLenum pname), setParameter(target, pname, params))
+ANTEROOM_INTEGER_SETTERS(glTexParameter, , (GLenum target, GLenum pname), setParameter(target, pname, params))
+ANTEROOM_GETTERS(glGetTexParameter, , (GLenum target, GLenum pname), getParameter(target, pname, results))
+ANTEROOM_INTEGER_GETTER(glGetTexParameter, , (GLenum target, GLenum pname),
+                        getParameter(target, pname, results))

@@ -1,6 +1,7 @@
 // Section 2.12: lights, material, light model, shading, and their queries (6.1.3).
 #include <glm/mat3x3.hpp>
 
+#include "layer/gl/context/forms.h"
 #include "layer/gl/queries/query.h"
 
 using namespace anteroom::gl;
@@ -147,7 +148,7 @@ constexpr auto kLightQueries = tableOf<Query<gen::Light>>({
 
 void getLight(GLenum name, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c) return;
+  if (!c || results.null()) return;
   gen::Light* light = lightOf(*c, name);
   if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
   if (!answer(kLightQueries, *light, pname, results))
@@ -170,7 +171,7 @@ constexpr auto kMaterialQueries = tableOf<Query<Context>>({
 
 void getMaterial(GLenum face, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c) return;
+  if (!c || results.null()) return;
   if (face != GL_FRONT && face != GL_BACK)
     return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT or BACK"), command);
   if (!answer(kMaterialQueries, *c, pname, results))
@@ -179,44 +180,13 @@ void getMaterial(GLenum face, GLenum pname, Results results, const char* command
 
 }  // namespace
 
-GL_API void GL_APIENTRY glLightf(GLenum light, GLenum pname, GLfloat param) {
-  setLight(light, pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glLightfv(GLenum light, GLenum pname, const GLfloat* params) {
-  setLight(light, pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glLightx(GLenum light, GLenum pname, GLfixed param) {
-  setLight(light, pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glLightxv(GLenum light, GLenum pname, const GLfixed* params) {
-  setLight(light, pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glLight, , (GLenum light, GLenum pname), setLight(light, pname, params))
+ANTEROOM_GETTERS(glGetLight, , (GLenum light, GLenum pname), getLight(light, pname, results))
 
-GL_API void GL_APIENTRY glMaterialf(GLenum face, GLenum pname, GLfloat param) {
-  setMaterial(face, pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glMaterialfv(GLenum face, GLenum pname, const GLfloat* params) {
-  setMaterial(face, pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glMaterialx(GLenum face, GLenum pname, GLfixed param) {
-  setMaterial(face, pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glMaterialxv(GLenum face, GLenum pname, const GLfixed* params) {
-  setMaterial(face, pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glMaterial, , (GLenum face, GLenum pname), setMaterial(face, pname, params))
+ANTEROOM_GETTERS(glGetMaterial, , (GLenum face, GLenum pname), getMaterial(face, pname, results))
 
-GL_API void GL_APIENTRY glLightModelf(GLenum pname, GLfloat param) {
-  setLightModel(pname, Params::floats(&param, false));
-}
-GL_API void GL_APIENTRY glLightModelfv(GLenum pname, const GLfloat* params) {
-  setLightModel(pname, Params::floats(params, true));
-}
-GL_API void GL_APIENTRY glLightModelx(GLenum pname, GLfixed param) {
-  setLightModel(pname, Params::fixeds(&param, false));
-}
-GL_API void GL_APIENTRY glLightModelxv(GLenum pname, const GLfixed* params) {
-  setLightModel(pname, Params::fixeds(params, true));
-}
+ANTEROOM_SETTERS(glLightModel, , (GLenum pname), setLightModel(pname, params))
 
 GL_API void GL_APIENTRY glShadeModel(GLenum mode) {
   Context* c = current();
@@ -224,17 +194,4 @@ GL_API void GL_APIENTRY glShadeModel(GLenum mode) {
   if (mode != GL_FLAT && mode != GL_SMOOTH)
     return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use FLAT or SMOOTH"));
   c->set(c->state.fixed.shadeModel, mode, kLighting);
-}
-
-GL_API void GL_APIENTRY glGetLightfv(GLenum light, GLenum pname, GLfloat* params) {
-  if (params) getLight(light, pname, {params, Results::Form::Float});
-}
-GL_API void GL_APIENTRY glGetLightxv(GLenum light, GLenum pname, GLfixed* params) {
-  if (params) getLight(light, pname, {params, Results::Form::Fixed});
-}
-GL_API void GL_APIENTRY glGetMaterialfv(GLenum face, GLenum pname, GLfloat* params) {
-  if (params) getMaterial(face, pname, {params, Results::Form::Float});
-}
-GL_API void GL_APIENTRY glGetMaterialxv(GLenum face, GLenum pname, GLfixed* params) {
-  if (params) getMaterial(face, pname, {params, Results::Form::Fixed});
 }
