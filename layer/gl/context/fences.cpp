@@ -3,6 +3,8 @@
 
 #include <new>
 
+#include "layer/gl/context/object_commands.h"
+
 using namespace anteroom::gl;
 
 namespace anteroom::gl {
@@ -139,12 +141,10 @@ GL_API void GL_APIENTRY glGetSyncivAPPLE(GLsync sync, GLenum pname, GLsizei coun
 }
 
 GL_API void GL_APIENTRY glGenFencesNV(GLsizei n, GLuint* fences) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (fences && !c->fences.reserve(n, fences)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&Context::fences, n, fences);
 }
 
+// 0 is a name like any other for NV_fence.
 GL_API void GL_APIENTRY glDeleteFencesNV(GLsizei n, const GLuint* fences) {
   Context* c = current();
   if (!c) return;

@@ -106,13 +106,13 @@ class ObjectTable {
   std::unordered_map<GLuint, Slot> sparse_;
 };
 
-// The object of that name, made when there is none yet. Null: out of memory.
-template <class T>
-std::shared_ptr<T> obtain(ObjectTable<T>& table, GLuint name) {
+// The object of that name, made of the name and `arguments` when there is none yet. Null: out of memory.
+template <class T, class... Arguments>
+std::shared_ptr<T> obtain(ObjectTable<T>& table, GLuint name, const Arguments&... arguments) {
   std::shared_ptr<T> object = table.find(name);
   if (object) return object;
   try {
-    object = std::make_shared<T>(name);
+    object = std::make_shared<T>(name, arguments...);
   } catch (const std::bad_alloc&) {
     return nullptr;
   }

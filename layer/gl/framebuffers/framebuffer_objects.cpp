@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "layer/gl/context/object_commands.h"
 #include "layer/gl/textures/texture.h"
 
 namespace anteroom::gl {
@@ -207,6 +208,11 @@ void bindDraw(Context& c, std::shared_ptr<FramebufferObject> object) {
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
 }
 
+void unbind(Context& c, const std::shared_ptr<FramebufferObject>& object) {
+  if (object == c.boundReadFramebuffer) c.boundReadFramebuffer.reset();
+  if (object == c.boundFramebuffer) bindDraw(c, nullptr);
+}
+
 // FramebufferTexture2DOES, FramebufferTexture3DOES, and with samples those of EXT and IMG. `image`: what the
 // command takes textarget for. Arguments that concern samples are valid.
 void attachTexture(Context& c, GLenum target, GLenum attachment, GLenum textarget, const ImageTarget& image,
@@ -318,10 +324,7 @@ void detach(Context& c, const Texture* texture, const Renderbuffer* renderbuffer
 using namespace anteroom::gl;
 
 GL_API GLboolean GL_APIENTRY glIsFramebufferOES(GLuint framebuffer) {
-  Context* c = current();
-  if (!c || framebuffer == 0) return GL_FALSE;
-  ShareLock lock(*c->group);
-  return c->group->framebuffers.find(framebuffer) ? GL_TRUE : GL_FALSE;
+  return isObject(&ShareGroup::framebuffers, framebuffer);
 }
 
 GL_API void GL_APIENTRY glBindFramebufferOES(GLenum target, GLuint framebuffer) {
@@ -340,26 +343,11 @@ GL_API void GL_APIENTRY glBindFramebufferOES(GLenum target, GLuint framebuffer) 
 }
 
 GL_API void GL_APIENTRY glDeleteFramebuffersOES(GLsizei n, const GLuint* framebuffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!framebuffers) return;
-  ShareLock lock(*c->group);
-  for (GLsizei i = 0; i < n; ++i) {
-    if (framebuffers[i] == 0) continue;
-    const std::shared_ptr<FramebufferObject> object = c->group->framebuffers.remove(framebuffers[i]);
-    if (object && object == c->boundReadFramebuffer) c->boundReadFramebuffer.reset();
-    if (object && object == c->boundFramebuffer) bindDraw(*c, nullptr);
-  }
+  deleteObjects(&ShareGroup::framebuffers, n, framebuffers, unbind);
 }
 
 GL_API void GL_APIENTRY glGenFramebuffersOES(GLsizei n, GLuint* framebuffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!framebuffers) return;
-  ShareLock lock(*c->group);
-  if (!c->group->framebuffers.reserve(n, framebuffers)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&ShareGroup::framebuffers, n, framebuffers);
 }
 
 GL_API GLenum GL_APIENTRY glCheckFramebufferStatusOES(GLenum target) {

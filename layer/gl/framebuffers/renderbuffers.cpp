@@ -2,6 +2,7 @@
 // OES_depth24, OES_depth32, OES_stencil1, 4 and 8, and OES_packed_depth_stencil.
 #include <algorithm>
 
+#include "layer/gl/context/object_commands.h"
 #include "layer/gl/debug/tool_names.h"
 #include "layer/gl/framebuffers/framebuffer_object.h"
 #include "layer/gl/queries/query.h"
@@ -137,13 +138,15 @@ constexpr auto kRenderbufferQueries = tableOf<Query<Renderbuffer>>({
     {GL_RENDERBUFFER_SAMPLES_IMG, Integer, [](Renderbuffer& r) { return r.samples; }},
 });
 
+void unbind(Context& c, const std::shared_ptr<Renderbuffer>& object) {
+  if (c.boundRenderbuffer == object) c.boundRenderbuffer.reset();
+  detach(c, nullptr, object.get());
+}
+
 }  // namespace
 
 GL_API GLboolean GL_APIENTRY glIsRenderbufferOES(GLuint renderbuffer) {
-  Context* c = current();
-  if (!c || renderbuffer == 0) return GL_FALSE;
-  ShareLock lock(*c->group);
-  return c->group->renderbuffers.find(renderbuffer) ? GL_TRUE : GL_FALSE;
+  return isObject(&ShareGroup::renderbuffers, renderbuffer);
 }
 
 GL_API void GL_APIENTRY glBindRenderbufferOES(GLenum target, GLuint renderbuffer) {
@@ -159,27 +162,11 @@ GL_API void GL_APIENTRY glBindRenderbufferOES(GLenum target, GLuint renderbuffer
 }
 
 GL_API void GL_APIENTRY glDeleteRenderbuffersOES(GLsizei n, const GLuint* renderbuffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!renderbuffers) return;
-  ShareLock lock(*c->group);
-  for (GLsizei i = 0; i < n; ++i) {
-    if (renderbuffers[i] == 0) continue;
-    const std::shared_ptr<Renderbuffer> object = c->group->renderbuffers.remove(renderbuffers[i]);
-    if (!object) continue;
-    if (c->boundRenderbuffer == object) c->boundRenderbuffer.reset();
-    detach(*c, nullptr, object.get());
-  }
+  deleteObjects(&ShareGroup::renderbuffers, n, renderbuffers, unbind);
 }
 
 GL_API void GL_APIENTRY glGenRenderbuffersOES(GLsizei n, GLuint* renderbuffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!renderbuffers) return;
-  ShareLock lock(*c->group);
-  if (!c->group->renderbuffers.reserve(n, renderbuffers)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&ShareGroup::renderbuffers, n, renderbuffers);
 }
 
 GL_API void GL_APIENTRY glRenderbufferStorageOES(GLenum target, GLenum internalformat, GLsizei width,

@@ -1,7 +1,6 @@
 // Texture names and bindings (section 3.7.11), images of EGL, and what a draw samples (section 3.7.13).
-#include <new>
-
 #include "gen/ati.h"
+#include "layer/gl/context/object_commands.h"
 #include "layer/gl/framebuffers/framebuffer_object.h"
 #include "layer/gl/textures/texture.h"
 
@@ -26,6 +25,14 @@ void bind(Context& c, UnitBindings& unit, TextureSlot slot, std::shared_ptr<Text
   if (unit.bound[slot] == texture) return;
   unit.bound[slot] = std::move(texture);
   if (unit.enabled[slot]) c.mark(gen::kGroupTextures);
+}
+
+void unbind(Context& c, const std::shared_ptr<Texture>& texture) {
+  const TextureSlot slot = texture->slot;
+  detach(c, texture.get(), nullptr);
+  for (UnitBindings& unit : c.units) {
+    if (unit.bound[slot] == texture) bind(c, unit, slot, c.defaultTextures[slot]);
+  }
 }
 
 // EXT_texture_mirror_clamp; the border shows where a filter is linear.
@@ -141,37 +148,15 @@ void releaseTexImage(Context& c, const std::shared_ptr<render::Image>& image) {
 using namespace anteroom::gl;
 
 GL_API void GL_APIENTRY glGenTextures(GLsizei n, GLuint* textures) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!textures) return;
-  ShareLock lock(*c->group);
-  if (!c->group->textures.reserve(n, textures)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&ShareGroup::textures, n, textures);
 }
 
 GL_API void GL_APIENTRY glDeleteTextures(GLsizei n, const GLuint* textures) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!textures) return;
-  ShareLock lock(*c->group);
-  for (GLsizei i = 0; i < n; ++i) {
-    if (textures[i] == 0) continue;
-    const std::shared_ptr<Texture> texture = c->group->textures.remove(textures[i]);
-    if (!texture) continue;
-    const TextureSlot slot = texture->slot;
-    detach(*c, texture.get(), nullptr);
-    for (UnitBindings& unit : c->units) {
-      if (unit.bound[slot] == texture) bind(*c, unit, slot, c->defaultTextures[slot]);
-    }
-  }
+  deleteObjects(&ShareGroup::textures, n, textures, unbind);
 }
 
 GL_API GLboolean GL_APIENTRY glIsTexture(GLuint texture) {
-  Context* c = current();
-  if (!c || texture == 0) return GL_FALSE;
-  ShareLock lock(*c->group);
-  return c->group->textures.find(texture) ? GL_TRUE : GL_FALSE;
+  return isObject(&ShareGroup::textures, texture);
 }
 
 GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
@@ -183,15 +168,8 @@ GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
   ShareLock lock(*c->group);
   if (name == 0) return bind(*c, unit, slot, c->defaultTextures[slot]);
 
-  std::shared_ptr<Texture> texture = c->group->textures.find(name);
-  if (!texture) {
-    try {
-      texture = std::make_shared<Texture>(name, slot, c->device.caps());
-    } catch (const std::bad_alloc&) {
-      return c->setError(GL_OUT_OF_MEMORY);
-    }
-    if (!c->group->textures.put(name, texture)) return c->setError(GL_OUT_OF_MEMORY);
-  }
+  std::shared_ptr<Texture> texture = obtain(c->group->textures, name, slot, c->device.caps());
+  if (!texture) return c->setError(GL_OUT_OF_MEMORY);
   if (texture->slot != slot)
     return c->setError(GL_INVALID_OPERATION,
                        wrongNumber("texture", name, "Bind it to the target that it was bound to first"));

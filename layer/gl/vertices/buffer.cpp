@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 
+#include "layer/gl/context/object_commands.h"
 #include "layer/gl/queries/query.h"
 
 namespace anteroom::gl {
@@ -73,6 +74,11 @@ void dropMapping(Context& c, BufferObject& buffer) {
   --c.group->mappedBuffers;
 }
 
+void forget(Context& c, const std::shared_ptr<BufferObject>& object) {
+  dropMapping(c, *object);
+  unbindEverywhere(c, object);
+}
+
 // Null: out of memory. `keep`: what the program does not write stays.
 void* map(Context& c, BufferObject& buffer, size_t offset, size_t length, GLbitfield access, bool keep) {
   buffer.mapped.reset(new (std::nothrow) std::byte[std::max<size_t>(length, 1)]);
@@ -118,34 +124,15 @@ bool readsMappedBuffer(const Context& c, bool indices) {
 using namespace anteroom::gl;
 
 GL_API void GL_APIENTRY glGenBuffers(GLsizei n, GLuint* buffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!buffers) return;
-  ShareLock lock(*c->group);
-  if (!c->group->buffers.reserve(n, buffers)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&ShareGroup::buffers, n, buffers);
 }
 
 GL_API void GL_APIENTRY glDeleteBuffers(GLsizei n, const GLuint* buffers) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!buffers) return;
-  ShareLock lock(*c->group);
-  for (GLsizei i = 0; i < n; ++i) {
-    if (buffers[i] == 0) continue;
-    if (const std::shared_ptr<BufferObject> object = c->group->buffers.remove(buffers[i])) {
-      dropMapping(*c, *object);
-      unbindEverywhere(*c, object);
-    }
-  }
+  deleteObjects(&ShareGroup::buffers, n, buffers, forget);
 }
 
 GL_API GLboolean GL_APIENTRY glIsBuffer(GLuint buffer) {
-  Context* c = current();
-  if (!c || buffer == 0) return GL_FALSE;
-  ShareLock lock(*c->group);
-  return c->group->buffers.find(buffer) ? GL_TRUE : GL_FALSE;
+  return isObject(&ShareGroup::buffers, buffer);
 }
 
 GL_API void GL_APIENTRY glBindBuffer(GLenum target, GLuint buffer) {

@@ -1,4 +1,5 @@
 // OES_vertex_array_object.
+#include "layer/gl/context/object_commands.h"
 #include "layer/gl/vertices/vertex_arrays.h"
 
 namespace anteroom::gl {
@@ -12,6 +13,10 @@ void bindVertexArray(Context& c, std::shared_ptr<VertexArrayObject> object) {
   std::swap(c.vertexArrays, c.boundVertexArray->arrays);
   c.staleArrays = kAllArrays;
   c.mark(gen::kGroupArrays);
+}
+
+void unbind(Context& c, const std::shared_ptr<VertexArrayObject>& object) {
+  if (object == c.boundVertexArray) bindVertexArray(c, c.defaultVertexArray);
 }
 
 }  // namespace
@@ -32,26 +37,13 @@ GL_API void GL_APIENTRY glBindVertexArrayOES(GLuint array) {
 }
 
 GL_API void GL_APIENTRY glDeleteVertexArraysOES(GLsizei n, const GLuint* arrays) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (!arrays) return;
-  ShareLock lock(*c->group);
-  for (GLsizei i = 0; i < n; ++i) {
-    if (arrays[i] == 0) continue;
-    const std::shared_ptr<VertexArrayObject> object = c->vertexArrayObjects.remove(arrays[i]);
-    if (object && object == c->boundVertexArray) bindVertexArray(*c, c->defaultVertexArray);
-  }
+  deleteObjects(&Context::vertexArrayObjects, n, arrays, unbind);
 }
 
 GL_API void GL_APIENTRY glGenVertexArraysOES(GLsizei n, GLuint* arrays) {
-  Context* c = current();
-  if (!c) return;
-  if (n < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("n", n, "Give a count from 0 on"));
-  if (arrays && !c->vertexArrayObjects.reserve(n, arrays)) c->setError(GL_OUT_OF_MEMORY);
+  generateNames(&Context::vertexArrayObjects, n, arrays);
 }
 
 GL_API GLboolean GL_APIENTRY glIsVertexArrayOES(GLuint array) {
-  Context* c = current();
-  return c && array != 0 && c->vertexArrayObjects.find(array) ? GL_TRUE : GL_FALSE;
+  return isObject(&Context::vertexArrayObjects, array);
 }
