@@ -16,77 +16,77 @@ bool sameSize(const TextureLevel& a, const TextureLevel& b) {
 
 // The level of `to` at which `count` levels have the sizes of those of `from` that begin at `base`. -1: none.
 int matchingLevel(const Texture& to, const Texture& from, int base, int count) {
-  int first = 0;
-  while (first < to.immutableLevels() && !sameSize(to.at(0, first), from.at(0, base))) ++first;
-  if (count > to.immutableLevels() - first) return -1;
+  int at = 0;
+  while (at < to.immutableLevels() && !sameSize(to.at(0, at), from.at(0, base))) ++at;
+  if (count > to.immutableLevels() - at) return -1;
   for (int i = 0; i < count; ++i) {
-    if (!sameSize(to.at(0, first + i), from.at(0, base + i))) return -1;
+    if (!sameSize(to.at(0, at + i), from.at(0, base + i))) return -1;
   }
-  return first;
+  return at;
+}
+
+// Whether the format can have all levels; one that is not compressed can.
+bool compressibleLevels(GLenum internalFormat, const Extent& size, int levels) {
+  const CompressedFormat* blocks = compressedFormat(internalFormat);
+  for (int i = 0; blocks && i < levels; ++i) {
+    if (!compressible(*blocks, std::max(size.width >> i, 1), std::max(size.height >> i, 1))) return false;
+  }
+  return true;
+}
+
+// TexStorage2DEXT and TexStorage3DEXT. `slot`: kSlotCount when the command takes no such target.
+void storeLevels(GLenum target, TextureSlot slot, GLsizei levels, GLenum internalFormat, const Extent& size,
+                 const char* advice, const char* command = __builtin_FUNCTION()) {
+  Context* c = current();
+  if (!c) return;
+  const render::Format format = storageFormat(internalFormat);
+  if (slot == kSlotCount || format == render::Format::None) {
+    const bool known = slot != kSlotCount;
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum(known ? "internalformat" : "target", known ? internalFormat : target, advice), command);
+  }
+  ShareLock lock(*c->group);
+  Texture& texture = boundTexture(*c, slot);
+  if (levels < 1 || size.empty() || !validSize(*c, slot, 0, size)) {
+    return c->setError(
+        GL_INVALID_VALUE,
+        levels < 1 ? wrongNumber("levels", levels, "Give one level or more") : wrongSize(slot, size, 0),
+        command);
+  }
+  const unsigned largest = static_cast<unsigned>(std::max({size.width, size.height, size.depth}));
+  const int most = static_cast<int>(std::bit_width(largest));
+  if (levels > most)
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongNumber("levels", levels, "Give log2 of the largest size and 1 at most"), command);
+  const bool compressedVolume = slot == kSlot3D && isCompressed(internalFormat);
+  if (texture.name == 0 || texture.immutable() || compressedVolume)
+    return c->setError(GL_INVALID_OPERATION,
+                       compressedVolume
+                           ? wrongState("The format is compressed", "Use a format such as RGBA8_OES")
+                           : wrongState("The texture is the default one or immutable", "Bind a new texture"),
+                       command);
+  if (!compressibleLevels(internalFormat, size, levels))
+    return c->setError(GL_INVALID_OPERATION,
+                       wrongNumber("width", size.width, "Give a size whose levels the format can have"),
+                       command);
+  texture.store(*c, levels, size, internalFormat, format);
 }
 
 }  // namespace
 
 GL_API void GL_APIENTRY glTexStorage2DEXT(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width,
                                           GLsizei height) {
-  Context* c = current();
-  if (!c) return;
   const TextureSlot slot = bindingSlot(target);
-  const render::Format format = storageFormat(internalformat);
-  if ((slot != kSlot2D && slot != kSlotCube) || format == render::Format::None) {
-    const bool known = slot == kSlot2D || slot == kSlotCube;
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum(known ? "internalformat" : "target", known ? internalformat : target,
-                  "Use TEXTURE_2D or TEXTURE_CUBE_MAP_OES, and a sized format such as RGBA8_OES"));
-  }
-  ShareLock lock(*c->group);
-  Texture& texture = boundTexture(*c, slot);
-  if (levels < 1 || width < 1 || height < 1 || !validSize(*c, slot, 0, width, height)) {
-    return c->setError(GL_INVALID_VALUE, levels < 1 ? wrongNumber("levels", levels, "Give one level or more")
-                                                    : wrongSize(width, height, 0));
-  }
-  const CompressedFormat* blocks = compressedFormat(internalformat);
-  const int most = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(width, height))));
-  if (texture.name == 0 || texture.immutable() || levels > most)
-    return c->setError(GL_INVALID_OPERATION,
-                       levels > most
-                           ? wrongNumber("levels", levels, "Give log2 of the larger size and 1 at most")
-                           : wrongState("The texture is the default one or immutable", "Bind a new texture"));
-  for (int i = 0; blocks && i < levels; ++i) {
-    const bool fits = compressible(*blocks, std::max(width >> i, 1), std::max(height >> i, 1));
-    if (!fits)
-      return c->setError(GL_INVALID_OPERATION,
-                         wrongNumber("width", width, "Give a size whose levels the format can have"));
-  }
-  texture.store(*c, levels, {width, height}, internalformat, format);
+  storeLevels(target, slot == kSlot2D || slot == kSlotCube ? slot : kSlotCount, levels, internalformat,
+              {width, height},
+              "Use TEXTURE_2D or TEXTURE_CUBE_MAP_OES, and a sized format such as RGBA8_OES");
 }
 
 GL_API void GL_APIENTRY glTexStorage3DEXT(GLenum target, GLsizei levels, GLenum internalformat, GLsizei width,
                                           GLsizei height, GLsizei depth) {
-  Context* c = current();
-  if (!c) return;
-  const render::Format format = storageFormat(internalformat);
-  if (target != GL_TEXTURE_3D_OES || format == render::Format::None) {
-    const bool known = target == GL_TEXTURE_3D_OES;
-    return c->setError(GL_INVALID_ENUM,
-                       wrongEnum(known ? "internalformat" : "target", known ? internalformat : target,
-                                 "Use TEXTURE_3D_OES, and a sized format such as RGBA8_OES"));
-  }
-  ShareLock lock(*c->group);
-  Texture& texture = boundTexture(*c, kSlot3D);
-  if (levels < 1 || std::min({width, height, depth}) < 1 || !validVolume(*c, 0, width, height, depth)) {
-    return c->setError(GL_INVALID_VALUE, levels < 1 ? wrongNumber("levels", levels, "Give one level or more")
-                                                    : wrongVolume(width, height, depth, 0));
-  }
-  const int most = static_cast<int>(std::bit_width(static_cast<unsigned>(std::max({width, height, depth}))));
-  if (texture.name == 0 || texture.immutable() || levels > most || isCompressed(internalformat))
-    return c->setError(
-        GL_INVALID_OPERATION,
-        levels > most ? wrongNumber("levels", levels, "Give log2 of the largest size and 1 at most")
-                      : wrongState("The texture is the default one or immutable, or the format is compressed",
-                                   "Bind a new texture, and use a format such as RGBA8_OES"));
-  texture.store(*c, levels, {width, height, depth}, internalformat, format);
+  storeLevels(target, target == GL_TEXTURE_3D_OES ? kSlot3D : kSlotCount, levels, internalformat,
+              {width, height, depth}, "Use TEXTURE_3D_OES, and a sized format such as RGBA8_OES");
 }
 
 GL_API void GL_APIENTRY glCopyTextureLevelsAPPLE(GLuint destinationTexture, GLuint sourceTexture,
@@ -110,11 +110,11 @@ GL_API void GL_APIENTRY glCopyTextureLevelsAPPLE(GLuint destinationTexture, GLui
     return c->setError(GL_INVALID_VALUE,
                        wrongNumber("sourceBaseLevel", sourceBaseLevel, "Give levels that the source has"));
   }
-  const int first = matchingLevel(*to, *from, sourceBaseLevel, sourceLevelCount);
-  if (first < 0)
+  const int level = matchingLevel(*to, *from, sourceBaseLevel, sourceLevelCount);
+  if (level < 0)
     return c->setError(GL_INVALID_OPERATION, wrongState("The destination has no levels of these sizes",
                                                         "Make it with the levels that are copied"));
   for (int i = 0; to != from && i < sourceLevelCount; ++i) {
-    if (!to->copyLevel(*c, first + i, *from, sourceBaseLevel + i)) return c->setError(GL_OUT_OF_MEMORY);
+    if (!to->copyLevel(*c, level + i, *from, sourceBaseLevel + i)) return c->setError(GL_OUT_OF_MEMORY);
   }
 }

@@ -202,12 +202,6 @@ ImageTarget imageTarget(GLenum target);
 inline constexpr const char* kTextureTargets =
     "Use TEXTURE_2D, TEXTURE_CUBE_MAP_OES or another target of an extension";
 
-Fault wrongImageTarget(GLenum target);
-Fault wrongSize(GLsizei width, GLsizei height, GLint border);
-Fault wrongVolume(GLsizei width, GLsizei height, GLsizei depth, GLint border);
-Fault outsideLevel();
-Fault immutable();
-
 inline Texture& boundTexture(Context& c, TextureSlot slot) {
   return *c.units[static_cast<size_t>(c.activeTexture)].bound[slot];
 }

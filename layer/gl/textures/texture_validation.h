@@ -1,33 +1,35 @@
 // What the commands that specify images ask of their arguments (section 3.7.1).
 #pragma once
 
-#include <algorithm>
-
 #include "layer/gl/textures/texture.h"
 
 namespace anteroom::gl {
+
+// The image of the bound texture that a command's target names, and the command, for its errors.
+struct CommandImage {
+  Context* context = nullptr;  // null: there is none, or the target names no image and the error is set
+  const char* command = nullptr;
+  TextureSlot slot = kSlotCount;
+  int face = 0;
+
+  explicit operator bool() const { return context != nullptr; }
+  Texture& texture() const { return boundTexture(*context, slot); }
+  void error(GLenum code, const Fault& fault = {}) const { context->setError(code, fault, command); }
+};
+// TEXTURE_2D, or a face of the cube map.
+CommandImage flatImage(GLenum target, const char* command = __builtin_FUNCTION());
+// TEXTURE_3D_OES.
+CommandImage volumeImage(GLenum target, const char* command = __builtin_FUNCTION());
 
 inline bool validLevel(const Texture& texture, GLint level) {
   return level >= 0 && level < texture.levels();
 }
 
 // Sizes that a level can have; faces of cube maps are square.
-inline bool validSize(const Context& c, TextureSlot slot, GLint level, GLsizei width, GLsizei height) {
-  const render::Caps& caps = c.device.caps();
-  const int limit = std::max((slot == kSlotCube ? caps.maxCubeMapSize : caps.maxTextureSize) >> level, 1);
-  if (width < 0 || height < 0 || width > limit || height > limit) return false;
-  return slot != kSlotCube || width == height;
-}
+bool validSize(const Context& c, TextureSlot slot, GLint level, const Extent& size);
 
-inline bool validVolume(const Context& c, GLint level, GLsizei width, GLsizei height, GLsizei depth) {
-  const int limit = std::max(c.device.caps().maxVolumeSize >> level, 1);
-  return std::min({width, height, depth}) >= 0 && std::max({width, height, depth}) <= limit;
-}
-
-inline bool inside(const TextureLevel& level, GLint x, GLint y, GLsizei width, GLsizei height) {
-  return x >= 0 && y >= 0 && width <= level.width && height <= level.height && x <= level.width - width &&
-         y <= level.height - height;
-}
+// Whether the box, whose size is not negative, lies inside the level.
+bool inside(const TextureLevel& level, const Box& box);
 
 // Table 3.9: whether texels of the internal format can be copied from the framebuffer: components can be
 // dropped, not added.
@@ -39,7 +41,10 @@ inline bool isPixelPair(GLenum format, GLenum type) {
 }
 
 Fault wrongLevel(GLint level);
+Fault wrongSize(TextureSlot slot, const Extent& size, GLint border);
 Fault wrongPixelPair(GLenum format, GLenum type);
+Fault outsideLevel();
 Fault cannotCopy();
+Fault immutable();
 
 }  // namespace anteroom::gl
