@@ -52,7 +52,7 @@ struct CompileResult {
 CompileResult compile(Stage stage, const std::string& glsl);
 void warmCompiler();
 
-// ---- What a pipeline must bind ----
+// What a pipeline must bind.
 // Set 0, binding 0: the vertex constants. Set 1, binding u: the texture of unit u, only the units that the
 // fragment key samples. Set 2, binding 0: the fragment constants. Constants are uniform buffers with dynamic
 // offsets, each in a set of its own: drivers that look at sets stage by stage leave the other stage alone

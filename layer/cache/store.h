@@ -36,7 +36,7 @@ class Store {
   // Drops the rows unused for longest until the file's contents fit `bytes`. The number of rows, or -1.
   int64_t shrink(uint64_t bytes);
 
-  // ---- Shaders: a row a key and generator, so that versions live side by side ----
+  // Shaders: a row a key and generator, so that versions live side by side.
   // Of this generator. Error: ask damaged().
   Found find(KeyKind kind, KeyBytes key, std::vector<uint32_t>& spirv);
   // Whether the file seems to hold shaders of this generator.
@@ -51,7 +51,7 @@ class Store {
   using VisitShader = std::function<void(int64_t number, int64_t id, ShaderRow& row, const std::string& why)>;
   bool visitShaders(const VisitShader& visit);
 
-  // ---- Pipelines, and who needed them ----
+  // Pipelines, and who needed them.
   bool put(const PipelineRow& row);
   bool touchPipeline(int64_t id, int64_t now);
   bool removePipeline(int64_t id);

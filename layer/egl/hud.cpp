@@ -141,7 +141,7 @@ Hud::Hud(const HudOptions& options) : items_(options.items) {
 void Hud::frame(const render::Stats& stats, const void* context, Clock::time_point now) {
   const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
   if (context != context_) {
-    // The first frame of a context tells what all frames of its past have cost, but not in what time.
+    // The first frame of a context shows what all frames of its past have cost, but not in what time.
     context_ = context;
     base_ = {};
     start_ = last_ = now;

@@ -96,7 +96,7 @@ EGLSurface refusePixmap(EGLDisplay dpy, const char* name = __builtin_FUNCTION())
       name);
 }
 
-// The images of the next picture tell its size and age. Not under the lock: it may wait for the window
+// The images of the next picture decide its size and age. Not under the lock: it may wait for the window
 // system.
 void renewWhereCurrent(const Surface& surface, EGLint attribute) {
   const Binding* binding = currentBinding();
@@ -149,7 +149,7 @@ EGLint query(const Surface& surface, EGLint attribute) {
   }
 }
 
-// Attributes that are asked of windows in vain.
+// Attributes of pbuffers, to which windows give no answer.
 bool isOfPbuffers(EGLint attribute) {
   switch (attribute) {
     case EGL_LARGEST_PBUFFER:
@@ -213,7 +213,7 @@ bool Surface::allocate() {
   return framebuffer_.color.image != nullptr || createImages();
 }
 
-// A pbuffer without pixels gets one that no query tells of, so that drawing to it is like drawing to any
+// A pbuffer without pixels gets one that no query shows, so that drawing to it is like drawing to any
 // other.
 bool Surface::createImages() {
   const EGLint level = std::clamp(attributes.mipmapLevel, 0, levels() - 1);

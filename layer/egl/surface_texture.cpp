@@ -10,7 +10,7 @@ namespace anteroom::egl {
 bool Surface::bindTexture(const std::shared_ptr<Context>& context) {
   if (!allocate()) throw Error{EGL_BAD_ALLOC};
   gl::shareImages(*context->gl);
-  // A reference of its own, whose end tells that no texture holds the image any more.
+  // A reference of its own, whose end shows that no texture holds the image any more.
   const std::shared_ptr<render::Image> loan(framebuffer_.color.image.get(),
                                             [image = framebuffer_.color.image](render::Image*) {});
   if (!gl::bindTexImage(*context->gl, GL_TEXTURE_2D, loan, attributes.textureFormat == EGL_TEXTURE_RGBA)) {

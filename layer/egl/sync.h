@@ -28,7 +28,7 @@ class Sync {
 
 class FenceSync final : public Sync {
  public:
-  // A fence after all that `context`, which is current, has been told so far.
+  // A fence after all that `context`, which is current, has been given so far.
   explicit FenceSync(const std::shared_ptr<Context>& context);
 
   EGLenum type() const override { return EGL_SYNC_FENCE; }

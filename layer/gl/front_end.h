@@ -29,7 +29,7 @@ struct ContextOptions {
   FindImage findImage = nullptr;
   void* display = nullptr;          // for findImage
   bool logErrors = false;           // to stderr, each with its command and reason
-  bool loseContextOnReset = false;  // EXT_robustness: resets are told
+  bool loseContextOnReset = false;  // EXT_robustness: resets are reported
 };
 
 // A context on `device`. `shareWith` null: a share group of its own. Null: out of memory.

@@ -5,7 +5,8 @@
 //   extern "C" void GL_APIENTRY glLineWidth(GLfloat width) {
 //     Context* c = current();
 //     if (!c) return;
-//     if (!(width > 0)) return c->setError(GL_INVALID_VALUE, wrongNumber("width", width, "Must be above 0"));
+//     if (!(width > 0))
+//       return c->setError(GL_INVALID_VALUE, wrongNumber("width", width, "Give a width above 0"));
 //     c->set(c->state.raster.lineWidth, width, gen::kGroupRaster);
 //   }
 //
@@ -288,13 +289,6 @@ extern constinit thread_local Context* currentContextOfThread __attribute__((tls
 inline Context* current() {
   return currentContextOfThread;
 }
-
-// Given by texture.cpp (texture.h declares them too):
-//   void initTextures(Context&): makes the default textures and binds them to every unit.
-//   void resolveTextureUnits(Context&): from bindings and enables to state.fixed.units[i].target and
-//     baseFormat and state.textures[i]. Called by a draw under the ShareLock, when kGroupTextures
-//     is marked.
-//   bindTexImage and releaseTexImage of front_end.h.
 
 // Section 2.3: fixed-point numbers are value / 65536. The other way: nearest, ties away from zero,
 // saturating; NaN gives 0.

@@ -102,7 +102,7 @@ GL_API GLenum GL_APIENTRY glClientWaitSyncAPPLE(GLsync sync, GLbitfield flags, G
   return passed ? GL_CONDITION_SATISFIED_APPLE : GL_TIMEOUT_EXPIRED_APPLE;
 }
 
-// What this context is told from now on is done after the fence anyway.
+// What this context is given from now on is done after the fence anyway.
 GL_API void GL_APIENTRY glWaitSyncAPPLE(GLsync sync, GLbitfield flags, GLuint64 timeout) {
   Context* c = current();
   if (!c) return;

@@ -9,7 +9,7 @@ namespace anteroom::gl {
 
 class Fence {
  public:
-  // After all that `context` has been told so far. Under the ShareLock.
+  // After all that `context` has been given so far. Under the ShareLock.
   void insert(Context& context);
   // Waits up to `timeout` ns: true when it has passed. Without the ShareLock.
   bool wait(Context& context, uint64_t timeout);

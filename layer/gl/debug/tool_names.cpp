@@ -55,7 +55,7 @@ std::string describeTextures(const Context& c) {
   return text;
 }
 
-// Arrays that lie together are told of together.
+// Consecutive arrays in one buffer name it once.
 std::string describeArrays(const Context& c, const render::DrawCall& call) {
   std::string text, former;
   for (int a = 0; a < gen::kAttributeCount; ++a) {

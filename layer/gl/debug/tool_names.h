@@ -1,4 +1,4 @@
-// What tools that look at the device are told where they want it (ANTEROOM_DEBUG=markers): names of objects,
+// Labels for tools that look at the device, when ANTEROOM_DEBUG=markers asks for them: names of objects,
 // and groups in the stream of commands that say which command of GL made them.
 #pragma once
 

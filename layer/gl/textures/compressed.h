@@ -1,11 +1,10 @@
 // Specific compressed formats of extensions, of 4x4 or 8x4 texels a block. Images are decoded when they are
 // given, so that a texture looks the same on every device:
-//   ETC1            OES_compressed_ETC1_RGB8_texture
-//   S3TC            EXT_texture_compression_dxt1, ANGLE_texture_compression_dxt3 and
-//                   _dxt5; the data format is in
-//                   EXT_texture_compression_s3tc
-//   3DC             AMD_compressed_3DC_texture: red, or red and green, each stored like the alpha of DXT5
-//   PVRTC           IMG_texture_compression_pvrtc: see pvrtc.cpp
+//   ETC1   OES_compressed_ETC1_RGB8_texture
+//   S3TC   EXT_texture_compression_dxt1, ANGLE_texture_compression_dxt3 and _dxt5
+//          (the data format is in EXT_texture_compression_s3tc)
+//   3DC    AMD_compressed_3DC_texture: red, or red and green, each stored like the alpha of DXT5
+//   PVRTC  IMG_texture_compression_pvrtc: see pvrtc.cpp
 #pragma once
 
 #include <GLES/gl.h>

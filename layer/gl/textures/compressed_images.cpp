@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/textures/compressed.h"
 #include "layer/gl/textures/paletted.h"
 #include "layer/gl/textures/texture_validation.h"

@@ -1,6 +1,5 @@
 // TexImage2D, TexImage3DOES and their alternatives (sections 3.7.1 to 3.7.4, OES_texture_3D).
 #include "layer/gl/framebuffers/framebuffer_object.h"
-#include "layer/gl/queries/missing_enums.h"
 #include "layer/gl/textures/compressed.h"
 #include "layer/gl/textures/texture_validation.h"
 

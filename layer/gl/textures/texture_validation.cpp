@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "layer/gl/queries/missing_enums.h"
 
 namespace anteroom::gl {
 
