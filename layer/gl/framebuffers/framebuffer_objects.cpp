@@ -110,8 +110,8 @@ GLenum statusOf(const Context& c, const FramebufferObject& object) {
   return GL_FRAMEBUFFER_COMPLETE_OES;
 }
 
-// False: out of memory.
-bool resolve(Context& c, const AttachmentPoint& point, render::Attachment& out) {
+// What a point attaches, if anything. False: out of memory.
+bool attach(Context& c, const AttachmentPoint& point, render::Attachment& out) {
   if (point.empty()) return true;
   if (point.renderbuffer) {
     out = point.renderbuffer->attachment();
@@ -137,8 +137,9 @@ bool addSamples(Context& c, AttachmentPoint& point, render::Framebuffer& framebu
   return point.implicit != nullptr;
 }
 
-// What a framebuffer object is to a renderer. False: it is not complete, or memory ran out.
-bool describe(Context& c, FramebufferObject& object, render::Framebuffer& framebuffer) {
+// What a framebuffer object is to a renderer; its textures get images. False: it is not complete, or memory
+// ran out.
+bool makeFramebuffer(Context& c, FramebufferObject& object, render::Framebuffer& framebuffer) {
   framebuffer = {};
   if (statusOf(c, object) != GL_FRAMEBUFFER_COMPLETE_OES) return false;
   for (const AttachmentPoint* point : {&object.color, &object.depth, &object.stencil}) {
@@ -147,8 +148,8 @@ bool describe(Context& c, FramebufferObject& object, render::Framebuffer& frameb
     framebuffer.height = sizeOf(*point).height;
     framebuffer.samples = std::max(samplesOf(*point), 1);
   }
-  if (resolve(c, object.color, framebuffer.color) && resolve(c, object.depth, framebuffer.depth) &&
-      resolve(c, object.stencil, framebuffer.stencil) && addSamples(c, object.color, framebuffer))
+  if (attach(c, object.color, framebuffer.color) && attach(c, object.depth, framebuffer.depth) &&
+      attach(c, object.stencil, framebuffer.stencil) && addSamples(c, object.color, framebuffer))
     return true;
   c.setError(GL_OUT_OF_MEMORY);
   framebuffer = {};
@@ -283,7 +284,7 @@ bool resolveFramebuffer(Context& c) {
   if (c.seenFramebufferVersion == version && c.seenAttachedTextures == textures) return c.hasFramebuffer;
 
   render::Framebuffer framebuffer;
-  const bool complete = describe(c, *c.boundFramebuffer, framebuffer);
+  const bool complete = makeFramebuffer(c, *c.boundFramebuffer, framebuffer);
   useFramebuffer(c, complete ? &framebuffer : nullptr);
   c.seenFramebufferVersion = version;
   // Textures that got their image just now raised the version, too.
@@ -293,7 +294,7 @@ bool resolveFramebuffer(Context& c) {
 
 bool resolveReadFramebuffer(Context& c) {
   if (c.boundReadFramebuffer != c.boundFramebuffer)
-    return describe(c, *c.boundReadFramebuffer, c.readFramebuffer);
+    return makeFramebuffer(c, *c.boundReadFramebuffer, c.readFramebuffer);
   const bool complete = resolveFramebuffer(c);
   c.readFramebuffer = c.state.framebuffer;
   return complete;

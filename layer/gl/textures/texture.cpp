@@ -58,7 +58,7 @@ void Texture::changed(Context& c) {
   c.group->textureVersion.fetch_add(1, std::memory_order_relaxed);
 }
 
-// --- specification
+// Specification.
 
 // Slices without gaps are rows that go on: texels are converted as if they were one tall image.
 bool Texture::specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
@@ -90,7 +90,7 @@ bool Texture::specify(Context& c, int face, int level, const Extent& size, GLenu
 bool Texture::specify(Context& c, int face, int level, const Extent& size, GLenum internalFormat,
                       Format format, std::unique_ptr<std::byte[]> texels) {
   if (level == 0 && !keepDerived(c, face, size, internalFormat)) return false;
-  if (!orphan(c, face, level)) return false;
+  if (!leaveSiblings(c, face, level)) return false;
   releaseImport(c);
   TextureLevel specified;
   specified.width = size.width;
@@ -128,7 +128,7 @@ bool Texture::replace(Context& c, int face, int level, const Box& box, const Pix
   const Extent& size = box.size;
   if (size.empty() || !rows.data) return true;
   TextureLevel& t = edit(face, level);
-  if (t.derived && !settle(c, face)) return false;
+  if (t.derived && !computeDerived(c, face)) return false;
   if (level == 0 && !keepDerived(c, face, t.extent(), t.internalFormat)) return false;
   if (t.home) {
     const Place place = placeOf(face, level);
@@ -158,7 +158,7 @@ bool Texture::specifyFromFramebuffer(Context& c, int face, int level, const Rect
   const Extent size{width, height};
   if (size.empty()) return specify(c, face, level, size, internalFormat, format, nullptr);
   if (level == 0 && !keepDerived(c, face, size, internalFormat)) return false;
-  if (!orphan(c, face, level)) return false;
+  if (!leaveSiblings(c, face, level)) return false;
 
   const TextureLevel& old = at(face, level);
   Place place;
@@ -197,7 +197,7 @@ bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int
   if (rect.width == 0 || rect.height == 0) return true;
   const TextureLevel& t = at(face, level);
   if (level == 0 && !keepDerived(c, face, t.extent(), t.internalFormat)) return false;
-  if (!reside(c, face, level)) return false;
+  if (!placeInImage(c, face, level)) return false;
   const Place place = placeOf(face, level);
   const render::Region region{place.level, place.layer, x, y, z, rect.width, rect.height, 1};
   if (!c.renderer->copyFromFramebuffer(*place.image, region, c.readFramebuffer, rect.x, rect.y)) return false;
@@ -205,7 +205,7 @@ bool Texture::replaceFromFramebuffer(Context& c, int face, int level, int x, int
   return true;
 }
 
-// --- images of EGL
+// Images of EGL.
 
 void Texture::import(Context& c, const std::shared_ptr<render::Image>& image, GLenum internalFormat) {
   for (TextureLevel& t : levels_) t = TextureLevel{};
@@ -231,7 +231,7 @@ void Texture::releaseImport(Context& c) {
   changed(c);
 }
 
-// --- completeness
+// Completeness.
 
 bool Texture::usesMipmaps() const {
   return sampler.minFilter != GL_NEAREST && sampler.minFilter != GL_LINEAR;
@@ -299,12 +299,12 @@ bool Texture::canGenerateMipmaps() const {
 
 // At once: level 0 may be drawn to before a derived level is needed.
 bool Texture::generateMipmaps(Context& c) {
-  if (!holdsChain(chainLength(at(0, 0).extent())) && !orphan(c)) return false;
+  if (!holdsChain(chainLength(at(0, 0).extent())) && !leaveSiblings(c)) return false;
   for (int face = 0; face < faces(); ++face) deriveChain(c, face);
-  return realise(c, chainLength(at(0, 0).extent()));
+  return gatherLevels(c, chainLength(at(0, 0).extent()));
 }
 
-// --- automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
+// Automatic mipmap generation (section 3.7.7). It is put off until a derived level is needed.
 
 bool Texture::derives(GLenum internalFormat) const {
   return generateMipmap && !isCompressed(internalFormat) && !isSrgb(internalFormat);
@@ -321,7 +321,7 @@ bool Texture::hasDerived(int face, int from) const {
 // derived anew.
 bool Texture::keepDerived(Context& c, int face, const Extent& size, GLenum internalFormat) {
   const bool again = derives(internalFormat) && !size.empty();
-  return !hasDerived(face, again ? chainLength(size) : 1) || settle(c, face);
+  return !hasDerived(face, again ? chainLength(size) : 1) || computeDerived(c, face);
 }
 
 void Texture::baseChanged(Context& c, int face) {
@@ -329,10 +329,10 @@ void Texture::baseChanged(Context& c, int face) {
   if (base.null() || !derives(base.internalFormat)) return;
   const int length = chainLength(base.extent());
   if (import_ && import_->desc().levels < length) return;  // EGL_MIPMAP_TEXTURE is off
-  if (!holdsChain(length) && !orphan(c)) return c.setError(GL_OUT_OF_MEMORY);
+  if (!holdsChain(length) && !leaveSiblings(c)) return c.setError(GL_OUT_OF_MEMORY);
   deriveChain(c, face);
   // Siblings do not ask for what is put off.
-  if (hasShared() && !realise(c, length)) c.setError(GL_OUT_OF_MEMORY);
+  if (hasShared() && !gatherLevels(c, length)) c.setError(GL_OUT_OF_MEMORY);
 }
 
 void Texture::deriveChain(Context& c, int face) {

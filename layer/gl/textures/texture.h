@@ -158,7 +158,7 @@ struct Texture {
   bool hasShared() const;
   bool holdsChain(int length) const;
   int consistentLevels() const;
-  bool orphan(Context& c, int exceptFace = -1, int exceptLevel = -1);
+  bool leaveSiblings(Context& c, int exceptFace = -1, int exceptLevel = -1);
 
   // texture_storage.cpp. All but the first two: false, or no image, when out of memory.
   Place placeOf(int face, int level) const;
@@ -171,9 +171,9 @@ struct Texture {
   bool move(Context& c, int face, int level, const std::shared_ptr<render::Image>& to, int toLevel);
   bool moveFaces(Context& c, int level, const std::shared_ptr<render::Image>& to);
   bool deriveInto(Context& c, const std::shared_ptr<render::Image>& image);
-  bool settle(Context& c, int face);
-  bool realise(Context& c, int levelCount);
-  bool reside(Context& c, int face, int level);
+  bool computeDerived(Context& c, int face);
+  bool gatherLevels(Context& c, int levelCount);
+  bool placeInImage(Context& c, int face, int level);
 
   std::vector<TextureLevel> levels_;       // by face, then level
   std::shared_ptr<render::Image> image_;   // what is sampled, or was

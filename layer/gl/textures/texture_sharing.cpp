@@ -40,7 +40,7 @@ int Texture::consistentLevels() const {
 }
 
 // The texture leaves its siblings. Texels of the excepted level, which is about to be specified, are dropped.
-bool Texture::orphan(Context& c, int exceptFace, int exceptLevel) {
+bool Texture::leaveSiblings(Context& c, int exceptFace, int exceptLevel) {
   if (!hasShared()) return true;
   std::vector<std::shared_ptr<Image>> own;
   try {
@@ -106,7 +106,7 @@ ShareStatus Texture::share(Context& c, int face, int level, std::shared_ptr<Shar
   if (import_ || (t.isShared() && !isAlone(t.shared))) return ShareStatus::Taken;
   if (!target_) {
     // All of them now: later they could not move to a larger image.
-    if (!realise(c, count)) return ShareStatus::OutOfMemory;
+    if (!gatherLevels(c, count)) return ShareStatus::OutOfMemory;
     for (TextureLevel& each : levels_) {
       if (each.home == image_) each.format = image_->desc().format;
     }

@@ -156,7 +156,7 @@ bool Texture::deriveInto(Context& c, const std::shared_ptr<Image>& image) {
 }
 
 // Computes the derived levels of one face, in an image of its own.
-bool Texture::settle(Context& c, int face) {
+bool Texture::computeDerived(Context& c, int face) {
   const TextureLevel& base = at(face, 0);
   const int length = chainLength(base.extent());
   render::ImageDesc desc;
@@ -180,7 +180,7 @@ bool Texture::settle(Context& c, int face) {
 }
 
 // Brings levels 0 to levelCount - 1, which fit together, into image_.
-bool Texture::realise(Context& c, int levelCount) {
+bool Texture::gatherLevels(Context& c, int levelCount) {
   const TextureLevel& base = at(0, 0);
   const Format format = commonFormat(levelCount);
   std::shared_ptr<Image> image = image_;
@@ -196,7 +196,7 @@ bool Texture::realise(Context& c, int levelCount) {
   }
   if (any && all && !deriveInto(c, image)) return false;
   for (int face = 0; any && !all && face < faces(); ++face) {
-    if (hasDerived(face) && !settle(c, face)) return false;
+    if (hasDerived(face) && !computeDerived(c, face)) return false;
   }
   for (int level = 0; level < levelCount; ++level) {
     if (!moveFaces(c, level, image)) return false;
@@ -211,14 +211,14 @@ bool Texture::realise(Context& c, int levelCount) {
 const std::shared_ptr<Image>& Texture::sampled(Context& c) {
   static const std::shared_ptr<Image> kNone;
   if (ready_) return image_;
-  if (!target_ && !realise(c, sampledLevels())) return kNone;
+  if (!target_ && !gatherLevels(c, sampledLevels())) return kNone;
   ready_ = true;
   return image_;
 }
 
 // Gives one level, whatever the others are, a place in an image.
-bool Texture::reside(Context& c, int face, int level) {
-  if (level > 0 && hasDerived(face) && !settle(c, face)) return false;
+bool Texture::placeInImage(Context& c, int face, int level) {
+  if (level > 0 && hasDerived(face) && !computeDerived(c, face)) return false;
   const TextureLevel& t = at(face, level);
   if (t.home) return true;
   if (level == 0 && complete()) return sampled(c) != nullptr;
@@ -233,9 +233,9 @@ bool Texture::reside(Context& c, int face, int level) {
 
 bool Texture::copyLevel(Context& c, int level, Texture& source, int sourceLevel) {
   for (int face = 0; face < faces(); ++face) {
-    if (source.hasDerived(face) && !source.settle(c, face)) return false;
-    if (hasDerived(face) && !settle(c, face)) return false;
-    if (!reside(c, face, level) || !source.copyTexels(c, face, sourceLevel, placeOf(face, level)))
+    if (source.hasDerived(face) && !source.computeDerived(c, face)) return false;
+    if (hasDerived(face) && !computeDerived(c, face)) return false;
+    if (!placeInImage(c, face, level) || !source.copyTexels(c, face, sourceLevel, placeOf(face, level)))
       return false;
     if (level == 0) baseChanged(c, face);
   }
@@ -243,8 +243,8 @@ bool Texture::copyLevel(Context& c, int level, Texture& source, int sourceLevel)
 }
 
 render::Attachment Texture::attachment(Context& c, int face, int level, int slice) {
-  if (hasDerived(face) && !settle(c, face)) return {};
-  if (!reside(c, face, level)) return {};
+  if (hasDerived(face) && !computeDerived(c, face)) return {};
+  if (!placeInImage(c, face, level)) return {};
   const Place place = placeOf(face, level);
   return {place.image, place.level, place.layer + slice};
 }
