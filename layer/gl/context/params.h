@@ -12,6 +12,17 @@ inline GLenum toEnum(float value) {
   return value >= 0 && value < 4294967296.0f ? static_cast<GLenum>(value) : ~GLenum{0};
 }
 
+// The unit that TEXTUREi names, from 0 on. -1: none, and the error is set.
+inline int unitOf(Context& c, const char* argument, GLenum texture,
+                  const char* command = __builtin_FUNCTION()) {
+  const GLenum unit = texture - GL_TEXTURE0;
+  if (unit < gen::kMaxTextureUnits) return static_cast<int>(unit);
+  c.setError(GL_INVALID_ENUM,
+             wrongEnum(argument, texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"),
+             command);
+  return -1;
+}
+
 // NaN gives 0.
 inline float clamp01(float value) {
   return value > 0 ? (value < 1 ? value : 1) : 0;

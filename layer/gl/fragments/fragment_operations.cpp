@@ -58,14 +58,16 @@ constexpr const char* kFactors = "Use a factor of tables 4.1 and 4.2, such as ON
 constexpr const char* kEquations =
     "Use FUNC_ADD_OES, FUNC_SUBTRACT_OES, FUNC_REVERSE_SUBTRACT_OES, MIN_EXT or MAX_EXT";
 
+Fault negativeSize(GLsizei width, GLsizei height) {
+  return wrongNumber(width < 0 ? "width" : "height", width < 0 ? width : height, "Give a size from 0 on");
+}
+
 }  // namespace
 
 GL_API void GL_APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei height) {
   Context* c = current();
   if (!c) return;
-  if (width < 0 || height < 0)
-    return c->setError(GL_INVALID_VALUE, wrongNumber(width < 0 ? "width" : "height",
-                                                     width < 0 ? width : height, "Give a size from 0 on"));
+  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, negativeSize(width, height));
   const int(&limits)[2] = c->device.caps().maxViewport;
   anteroom::render::Rect& viewport = c->state.viewport;
   c->set(viewport.x, x, gen::kGroupViewport);
@@ -87,9 +89,7 @@ GL_API void GL_APIENTRY glDepthRangex(GLclampx n, GLclampx f) {
 GL_API void GL_APIENTRY glScissor(GLint x, GLint y, GLsizei width, GLsizei height) {
   Context* c = current();
   if (!c) return;
-  if (width < 0 || height < 0)
-    return c->setError(GL_INVALID_VALUE, wrongNumber(width < 0 ? "width" : "height",
-                                                     width < 0 ? width : height, "Give a size from 0 on"));
+  if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, negativeSize(width, height));
   anteroom::render::Rect& scissor = c->state.scissor;
   c->set(scissor.x, x, gen::kGroupViewport);
   c->set(scissor.y, y, gen::kGroupViewport);

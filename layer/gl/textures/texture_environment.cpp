@@ -135,14 +135,9 @@ void setScale(Context& c, float& field, float value, const char* command) {
 
 // ATIX_texture_env_route; a unit's own texture stands for none.
 void setOutput(Context& c, int8_t& field, GLenum texture, const char* command) {
-  const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits)
-    return c.setError(
-        GL_INVALID_ENUM,
-        wrongEnum("param", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"),
-        command);
-  const bool own = static_cast<int>(unit) == c.activeTexture;
-  c.set(field, own ? int8_t{-1} : static_cast<int8_t>(unit), kTextures);
+  const int unit = unitOf(c, "param", texture, command);
+  if (unit < 0) return;
+  c.set(field, static_cast<int8_t>(unit == c.activeTexture ? -1 : unit), kTextures);
 }
 GLenum output(const Context& c, int8_t field) {
   return GL_TEXTURE0 + static_cast<GLenum>(field < 0 ? c.activeTexture : field);
@@ -254,12 +249,8 @@ void getTexGen(GLenum coord, GLenum pname, Results results, const char* command 
 GL_API void GL_APIENTRY glActiveTexture(GLenum texture) {
   Context* c = current();
   if (!c) return;
-  const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("texture", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"));
-  c->activeTexture = static_cast<int>(unit);
+  const int unit = unitOf(*c, "texture", texture);
+  if (unit >= 0) c->activeTexture = unit;
 }
 
 ANTEROOM_SETTERS(glTexEnv, , (GLenum target, GLenum pname), setEnv(target, pname, params))

@@ -1,5 +1,5 @@
 // Section 2.7: current color, normal and texture coordinates. None of them is clamped.
-#include "layer/gl/context/context.h"
+#include "layer/gl/context/params.h"
 
 using namespace anteroom::gl;
 namespace gen = anteroom::gen;
@@ -22,14 +22,9 @@ void setTexCoord(GLenum texture, float s, float t, float r, float q,
                  const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"),
-        command);
-  c->set(c->state.fixed.attributes[gen::texCoord(static_cast<int>(unit))].current, {s, t, r, q},
-         gen::kGroupCurrentOther);
+  const int unit = unitOf(*c, "target", texture, command);
+  if (unit < 0) return;
+  c->set(c->state.fixed.attributes[gen::texCoord(unit)].current, {s, t, r, q}, gen::kGroupCurrentOther);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Section 2.8: where arrays lie and which are enabled.
 #include "layer/gl/vertices/vertex_arrays.h"
 
-#include "layer/gl/context/context.h"
+#include "layer/gl/context/params.h"
 #include "layer/gl/vertices/buffer.h"
 
 namespace anteroom::gl {
@@ -213,10 +213,6 @@ GL_API void GL_APIENTRY glDisableClientState(GLenum array) {
 GL_API void GL_APIENTRY glClientActiveTexture(GLenum texture) {
   Context* c = current();
   if (!c) return;
-  const GLenum unit = texture - GL_TEXTURE0;
-  if (unit >= gen::kMaxTextureUnits)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("texture", texture, "Use TEXTURE0 and the next, up to the value of MAX_TEXTURE_UNITS"));
-  c->clientActiveTexture = static_cast<int>(unit);
+  const int unit = unitOf(*c, "texture", texture);
+  if (unit >= 0) c->clientActiveTexture = unit;
 }
