@@ -53,7 +53,7 @@ RULES = {
     "tests/windows": (["tests/windows", "tests/egl/egl_fixture.h"], [VULKAN]),
     "tests/bench": (["tests/bench", "tests/measure"], [VULKAN]),
     "tests/compare": (["tests/compare", "tests/measure"], [VULKAN]),
-    "tests/bench/counting_layer": ([], [GL_API]),
+    "tests/vulkan_layer": (["tests/vulkan_layer"], [GL_API]),
     "tests/reference": (["tests/reference", "layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS]),
     "tests/gen": (["tests/gen", "gen"], [VULKAN, r"EGL/"]),
 }
