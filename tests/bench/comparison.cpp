@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 
+#include "tests/measure/statistics.h"
 #include "worker.h"
 
 namespace bench {
@@ -13,20 +13,6 @@ namespace bench {
 namespace {
 
 constexpr unsigned kWorkerSeconds = 300;
-
-// Shader caches: none at all, or directories that only this run uses.
-Environment withCaches(Environment environment, bool warm, const std::string& directory) {
-  if (warm) {
-    environment["MESA_SHADER_CACHE_DIR"] = directory + "/mesa";
-    environment["ANTEROOM_CACHE"] = "on";
-    environment["ANTEROOM_CACHE_DIR"] = directory + "/anteroom";
-    environment["MESA_SHADER_CACHE_DISABLE"] = "false";
-  } else {
-    environment["MESA_SHADER_CACHE_DISABLE"] = "true";
-    environment["ANTEROOM_CACHE"] = "off";
-  }
-  return environment;
-}
 
 std::vector<std::string> workerArguments(const Plan& plan, const std::string& worker) {
   std::vector<std::string> arguments = {"--worker", worker, "--visit",
@@ -41,7 +27,7 @@ std::vector<std::string> workerArguments(const Plan& plan, const std::string& wo
 }
 
 // Starts one worker and adds the medians of what it measured.
-void addRound(const Plan& plan, const std::string& worker, const Environment& environment,
+void addRound(const Plan& plan, const std::string& worker, const process::Environment& environment,
               ImplementationResult& result) {
   const process::Outcome outcome =
       process::run("/proc/self/exe", workerArguments(plan, worker), environment, kWorkerSeconds);
@@ -57,45 +43,46 @@ void addRound(const Plan& plan, const std::string& worker, const Environment& en
     sum.name = measurement.name;
     sum.unit = measurement.unit;
     sum.verdict = worst(sum.verdict, measurement.verdict);
-    if (!measurement.samples.empty()) sum.samples.push_back(median(measurement.samples));
+    if (!measurement.samples.empty()) sum.samples.push_back(measure::median(measurement.samples));
   }
 }
 
 }  // namespace
 
-std::vector<ImplementationResult> measure(const Plan& plan) {
+std::vector<ImplementationResult> measureAll(const Plan& plan) {
+  plan.filter.chosen(allNames());
   std::vector<ImplementationResult> results;
-  std::vector<std::string> directories;
+  std::vector<process::Environment> colds, warms;
   const process::TemporaryDirectory temporary;
-  for (const Implementation& implementation : plan.implementations) {
-    results.push_back({implementation.name, "?", {}, {}});
-    directories.push_back(temporary.path() + "/" + implementation.name);
-    for (const char* cache : {"/mesa", "/anteroom"})
-      std::filesystem::create_directories(directories.back() + cache);
+  for (const auto& [name, environment] : plan.implementations) {
+    results.push_back({name, "?", {}, {}});
+    colds.push_back(measure::withoutCaches(environment));
+    warms.push_back(measure::withCaches(environment, temporary.path() + "/" + name));
   }
 
-  int round = 0;
-  const auto runEach = [&](const std::string& worker, bool warm, std::vector<ImplementationResult>& into) {
-    for (std::size_t turn = 0; turn < into.size(); ++turn) {
-      const std::size_t i = (turn + std::size_t(round)) % into.size();
-      if (into[i].faults.empty())
-        addRound(plan, worker, withCaches(plan.implementations[i].environment, warm, directories[i]),
-                 into[i]);
-    }
+  std::size_t round = 0;
+  const auto runEach = [&](const std::string& worker, const std::vector<process::Environment>& environments,
+                           std::vector<ImplementationResult>& into) {
+    measure::takeTurns(round, into.size(), [&](std::size_t i) {
+      if (into[i].faults.empty()) addRound(plan, worker, environments[i], into[i]);
+    });
   };
-  const bool cold = plan.filter.matchesAny(freshNames("cold"));
-  const bool warm = plan.filter.matchesAny(freshNames("warm"));
-  const bool steady = plan.filter.matchesAny(steadyNames());
+  const auto wanted = [&plan](const std::vector<std::string>& names) {
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name) { return plan.filter.matches(name); });
+  };
+  const bool cold = wanted(freshNames("cold")), warm = wanted(freshNames("warm"));
+  const bool steady = wanted(steadyNames());
 
   if (warm) {
     std::vector<ImplementationResult> unused = results;
-    runEach("warm", true, unused);
+    runEach("warm", warms, unused);
   }
-  for (; round < plan.rounds; ++round) {
+  for (; round < static_cast<std::size_t>(plan.rounds); ++round) {
     fmt::print(stderr, "round {} of {}\n", round + 1, plan.rounds);
-    if (cold) runEach("cold", false, results);
-    if (warm) runEach("warm", true, results);
-    if (steady) runEach("steady", true, results);
+    if (cold) runEach("cold", colds, results);
+    if (warm) runEach("warm", warms, results);
+    if (steady) runEach("steady", warms, results);
   }
   return results;
 }

@@ -28,24 +28,9 @@ struct WorkerReport {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerReport, implementation, measurements)
 
-// Names that contain one of the parts; every name when there are none.
-struct NameFilter {
-  std::vector<std::string> parts;
-
-  bool matches(const std::string& name) const {
-    return parts.empty() || std::any_of(parts.begin(), parts.end(), [&](const std::string& part) {
-             return name.find(part) != std::string::npos;
-           });
-  }
-  bool matchesAny(const std::vector<std::string>& names) const {
-    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return matches(name); });
-  }
-};
-
 // The first fault and the greatest error of both.
-Verdict worst(const Verdict& first, const Verdict& second);
-
-// Of a non-empty set.
-double median(std::vector<double> values);
+inline Verdict worst(const Verdict& first, const Verdict& second) {
+  return {first.fault.empty() ? second.fault : first.fault, std::max(first.error, second.error)};
+}
 
 }  // namespace bench

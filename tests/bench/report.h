@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "measurement.h"
+#include "tests/measure/table.h"
 
 namespace bench {
 
@@ -17,27 +18,15 @@ struct ImplementationResult {
   std::map<std::string, Measurement> measurements;
 };
 
-struct Row {
-  std::string name;
-  std::string unit;
-  std::string implementation;
-  double median = 0;  // of the medians of the rounds
-  double spread = 0;  // half of (greatest - least) / median
-  double least = 0;
-  double greatest = 0;
-  std::size_t rounds = 0;
-  double ratio =
-      0;  // to the first implementation that is named `baseline`, median of the rounds' ratios; 0: none
-  Verdict verdict;
-};
+// Nothing crashed and every picture is right.
+bool good(const std::vector<ImplementationResult>& results);
 
-// One row for each name and implementation, names in the order of `order`. A faulty measurement has no
-// numbers.
-std::vector<Row> makeRows(const std::vector<ImplementationResult>& results,
-                          const std::vector<std::string>& order, const std::string& baseline);
+// A row for each name and implementation, names in the order of `order`. A faulty measurement has no numbers.
+// Ratios are to the implementation that is named `baseline`.
+measure::Table tableOf(const std::vector<ImplementationResult>& results,
+                       const std::vector<std::string>& order, const std::string& baseline);
 
-std::string asTable(const std::vector<ImplementationResult>& results, const std::vector<Row>& rows);
-std::string asCsv(const std::vector<Row>& rows);
-std::string asJson(const std::vector<ImplementationResult>& results, const std::vector<Row>& rows);
+std::string asText(const std::vector<ImplementationResult>& results, const measure::Table& table);
+std::string asJson(const std::vector<ImplementationResult>& results, const measure::Table& table);
 
 }  // namespace bench

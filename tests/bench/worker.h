@@ -4,13 +4,14 @@
 
 #include "clock.h"
 #include "measurement.h"
+#include "tests/measure/options.h"
 
 namespace bench {
 
 // The workers run in processes of their own, against whichever libEGL.so.1 their environment gives them.
 
 struct WorkerTask {
-  NameFilter filter;
+  measure::Filter filter;
   Clock clock = Clock::kWall;
   int visitMilliseconds = 0;     // of wall-clock time
   Nanoseconds processStart = 0;  // on that clock
