@@ -6,8 +6,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
-
 #include <sstream>
+
+#include "tests/measure/picture.h"
+#include "worker.h"
 
 namespace comparison {
 
@@ -17,7 +19,7 @@ constexpr unsigned kWorkerSeconds = 300;
 constexpr const char* kSelf = "/proc/self/exe";
 
 // Renders on one implementation; a crash costs its scene alone, and a new process goes on behind it.
-std::map<std::string, Result> renderScenes(const Environment& environment, const WorkerTask& task) {
+std::map<std::string, Result> renderScenes(const process::Environment& environment, const WorkerTask& task) {
   std::map<std::string, Result> results;
   std::vector<std::string> left = task.scenes;
   while (!left.empty()) {
@@ -27,7 +29,7 @@ std::map<std::string, Result> renderScenes(const Environment& environment, const
     if (task.varied) arguments.emplace_back("--varied");
     for (const std::string& name : left) arguments.insert(arguments.end(), {"--scene", name});
     const process::Outcome outcome =
-        process::run(kSelf, arguments, withoutCaches(environment), kWorkerSeconds);
+        process::run(kSelf, arguments, measure::withoutCaches(environment), kWorkerSeconds);
     std::istringstream lines(outcome.output);
     std::string begun;
     for (std::string line; std::getline(lines, line);) {
@@ -39,8 +41,8 @@ std::map<std::string, Result> renderScenes(const Environment& environment, const
       Result& result = results[name];
       if (word == "skip") result.fault = line.substr(second + 1);
       if (word == "done") {
-        result.milliseconds = std::stod(line.substr(second + 1));
-        result.picture = readPicture(pictureFile(task.directory, name, 0));
+        result.milliseconds.push_back(std::stod(line.substr(second + 1)));
+        result.picture = measure::readRaw(pictureFile(task.directory, name, 0));
       }
       left.erase(std::remove(left.begin(), left.end(), name), left.end());
     }
@@ -117,48 +119,35 @@ void judge(Row& row, const Expectation& expected) {
     row.disagreements = disagreements(expected, ours.picture, mesa->second.picture, row.bound);
 }
 
-std::string fileName(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == ' ' || c == ','; }, '-');
-  return name + ".png";
-}
-
 }  // namespace
-
-Environment withoutCaches(Environment environment) {
-  environment["MESA_SHADER_CACHE_DISABLE"] = "true";
-  environment["ANTEROOM_CACHE"] = "off";
-  return environment;
-}
-
-bool wanted(const Plan& plan, const std::string& name) {
-  return plan.filters.empty() ||
-         std::any_of(plan.filters.begin(), plan.filters.end(),
-                     [&name](const std::string& part) { return name.find(part) != std::string::npos; });
-}
 
 void writePictures(const Plan& plan, const Row& row, const Picture& reference) {
   if (plan.out.empty()) return;
   std::vector<Picture> pictures = {reference};
-  for (const Implementation& implementation : plan.implementations) {
+  for (const measure::Implementation& implementation : plan.implementations) {
     const auto result = row.results.find(implementation.name);
     pictures.push_back(result != row.results.end() ? result->second.picture : Picture{});
   }
-  if (!reference.rgba.empty()) writeSideBySide(plan.out + "/" + fileName(row.name), pictures);
+  if (!reference.rgba.empty())
+    measure::writeSideBySide(plan.out + "/" + measure::fileName(row.name) + ".png", pictures);
 }
 
 namespace {
 
 // Some scenes on all implementations.
-class Round {
+class Drawn {
  public:
-  Round(const Plan& plan, std::vector<const Scene*> scenes, double lodError)
+  Drawn(const Plan& plan, std::vector<const Scene*> scenes, double lodError)
       : plan_(plan), scenes_(std::move(scenes)), lodError_(lodError) {
     for (const Scene* scene : scenes_) names_.push_back(scene->name);
     reference_ = render("reference", plan.reference, true, 1);
-    for (const Implementation& implementation : plan.implementations)
-      others_[implementation.name] =
-          render(implementation.name, implementation.environment, false, plan.repeats);
+    for (int round = 0; round < plan.rounds; ++round) {
+      measure::takeTurns(std::size_t(round), plan.implementations.size(), [&](std::size_t i) {
+        const auto& [name, environment] = plan.implementations[i];
+        for (auto& [scene, result] : render(name, environment, false, plan.repeats))
+          add(others_[name][scene], std::move(result));
+      });
+    }
   }
 
   std::vector<Row> rows(const DriverErrors& driverErrors) {
@@ -168,8 +157,15 @@ class Round {
   }
 
  private:
-  std::map<std::string, Result> render(const std::string& name, const Environment& environment, bool varied,
-                                       int repeats) const {
+  // The picture is the last round's, a fault any round's.
+  static void add(Result& sum, Result round) {
+    sum.milliseconds.insert(sum.milliseconds.end(), round.milliseconds.begin(), round.milliseconds.end());
+    sum.picture = std::move(round.picture);
+    if (sum.fault.empty()) sum.fault = std::move(round.fault);
+  }
+
+  std::map<std::string, Result> render(const std::string& name, const process::Environment& environment,
+                                       bool varied, int repeats) const {
     const std::string directory = temporary_.path() + "/" + name;
     std::filesystem::create_directories(directory);
     return renderScenes(environment, {directory, names_, varied, lodError_, repeats});
@@ -192,7 +188,7 @@ class Round {
     std::vector<Picture> pictures;
     const int count = static_cast<int>(variants(scene, lodError_).size());
     for (int i = 0; i < count; ++i)
-      pictures.push_back(readPicture(pictureFile(temporary_.path() + "/reference", scene.name, i)));
+      pictures.push_back(measure::readRaw(pictureFile(temporary_.path() + "/reference", scene.name, i)));
     const Expectation expected(std::move(pictures));
     if (expected.picture().rgba.empty()) row.failures.push_back("no picture of the reference");
     judge(row, expected);
@@ -214,13 +210,19 @@ class Round {
 
 Comparison compareAll(const Plan& plan) {
   Comparison result;
-  result.driverErrors = measureDriver();
+  std::vector<std::string> names;
   std::vector<const Scene*> scenes;
-  for (const Scene& scene : allScenes())
-    if (wanted(plan, scene.name)) scenes.push_back(&scene);
+  for (const Scene& scene : allScenes()) {
+    names.push_back(scene.name);
+    if (plan.filter.matches(scene.name)) scenes.push_back(&scene);
+  }
+  if (plan.demos)
+    for (std::string& name : demoNames()) names.push_back(std::move(name));
+  plan.filter.chosen(names);
+  result.driverErrors = measureDriver();
   const double lodError =
       std::max(result.driverErrors["level-of-detail"], result.driverErrors["level-of-detail-in-perspective"]);
-  result.rows = Round(plan, scenes, lodError).rows(result.driverErrors);
+  result.rows = Drawn(plan, scenes, lodError).rows(result.driverErrors);
   if (plan.demos) {
     std::vector<Row> demos = compareDemos(plan);
     std::move(demos.begin(), demos.end(), std::back_inserter(result.rows));

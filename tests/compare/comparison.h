@@ -6,23 +6,17 @@
 #include <vector>
 
 #include "difference.h"
-#include "process.h"
 #include "scene.h"
+#include "tests/measure/options.h"
 
 namespace comparison {
-
-using process::Environment;
-
-struct Implementation {
-  std::string name;
-  Environment environment;
-};
 
 // What one implementation made of a scene.
 struct Result {
   Picture picture;
-  double milliseconds = 0;  // of drawing and reading back once everything is compiled
-  std::string fault;        // a crash, or why there is no picture
+  // Of drawing and reading back once everything is compiled, a round each.
+  std::vector<double> milliseconds;
+  std::string fault;  // a crash, or why there is no picture
   Difference difference;
 };
 
@@ -38,9 +32,10 @@ struct Row {
 };
 
 struct Plan {
-  std::vector<Implementation> implementations;  // besides the reference
-  Environment reference;
-  std::vector<std::string> filters;  // parts of names; empty: all
+  std::vector<measure::Implementation> implementations;  // besides the reference
+  process::Environment reference;
+  measure::Filter filter;
+  int rounds = 1;
   int repeats = 3;
   bool demos = false;  // frames of the demos as well
   std::string out;     // directory for pictures; empty: none
@@ -54,14 +49,14 @@ struct Comparison {
   std::vector<Row> rows;
 };
 
-// Throws std::runtime_error when the driver cannot be measured.
+// Throws std::runtime_error when the driver cannot be measured, std::invalid_argument when the filter lets
+// nothing pass.
 Comparison compareAll(const Plan& plan);
 
 // Frames of the demos: their errors away from edges, by RMS. The rooms program must be built.
 std::vector<Row> compareDemos(const Plan& plan);
+std::vector<std::string> demoNames();
 
-bool wanted(const Plan& plan, const std::string& name);
-Environment withoutCaches(Environment environment);
 // The reference, the others, then their errors, as far as the plan asks for pictures.
 void writePictures(const Plan& plan, const Row& row, const Picture& reference);
 
@@ -69,9 +64,9 @@ void writePictures(const Plan& plan, const Row& row, const Picture& reference);
 // framebuffer.
 bool mesaIsExacter(const Row& row);
 
-// Sum of what the reader wants to know first.
-std::string asTable(const Comparison& comparison, const Plan& plan);
-std::string asCsv(const std::vector<Row>& rows, const Plan& plan);
-std::string asJson(const std::vector<Row>& rows, const Plan& plan);
+// A row for each scene and implementation.
+measure::Table tableOf(const std::vector<Row>& rows, const Plan& plan);
+// The table below the driver's errors, above sums and what is to be said of single scenes.
+std::string asText(const Comparison& comparison, const Plan& plan);
 
 }  // namespace comparison

@@ -38,20 +38,20 @@ std::vector<Frame> frames() {
   return result;
 }
 
-Result render(const Frame& frame, const Environment& environment, const std::string& directory) {
+Result render(const Frame& frame, const process::Environment& environment, const std::string& directory) {
   const auto start = std::chrono::steady_clock::now();
   const process::Outcome outcome =
       process::run(process::executableDirectory() + "/rooms",
                    {frame.demo, "--samples", "0", "--size", fmt::format("{}x{}", frame.width, frame.height),
                     "--time", std::to_string(frame.seconds), "--out", directory},
-                   withoutCaches(environment), kFrameSeconds);
+                   measure::withoutCaches(environment), kFrameSeconds);
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   Result result;
-  result.milliseconds = elapsed.count();
+  result.milliseconds.push_back(elapsed.count());
   if (outcome.status != 0)
     result.fault = fmt::format("ended with status {}", outcome.status);
   else
-    result.picture = readPng(fmt::format("{}/{}.png", directory, frame.demo));
+    result.picture = measure::readPng(fmt::format("{}/{}.png", directory, frame.demo));
   return result;
 }
 
@@ -110,19 +110,25 @@ void judge(Row& row) {
 
 }  // namespace
 
+std::vector<std::string> demoNames() {
+  std::vector<std::string> names;
+  for (const Frame& frame : frames()) names.push_back(frame.name());
+  return names;
+}
+
 std::vector<Row> compareDemos(const Plan& plan) {
   std::vector<Row> rows;
   for (const Frame& frame : frames()) {
-    if (!wanted(plan, frame.name())) continue;
+    if (!plan.filter.matches(frame.name())) continue;
     const process::TemporaryDirectory directory;
     Row row;
     row.name = frame.name();
     row.section = "demos";
     row.boundReason = "RMS away from edges";
-    Environment referenceEnvironment = plan.reference;
+    process::Environment referenceEnvironment = plan.reference;
     if (frame.layers) referenceEnvironment["ANTEROOM_REFERENCE_BLENDING"] = "steps";
     Result& reference = row.results["reference"] = render(frame, referenceEnvironment, directory.path());
-    for (const Implementation& implementation : plan.implementations) {
+    for (const measure::Implementation& implementation : plan.implementations) {
       Result& result = row.results[implementation.name] =
           render(frame, implementation.environment, directory.path());
       result.difference = differenceAwayFromEdges(reference.picture, result.picture);

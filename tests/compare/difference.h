@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "worker.h"
+#include "tests/measure/picture.h"
 
 namespace comparison {
+
+using measure::Picture;
 
 // The reference's picture, and what it may become when rounding moves geometry by one unit of the sub-pixel
 // grid: per pixel and channel the least and the greatest of its pictures with everything moved that rounding
@@ -40,12 +42,5 @@ Difference difference(const Expectation& expected, const Picture& actual);
 
 // Interior pixels that differ by more than `steps`.
 int disagreements(const Expectation& expected, const Picture& a, const Picture& b, int steps);
-
-// Pictures side by side, the lower left row last, as a PNG; enlarged to a readable size. The last picture is
-// followed by its error against the first, 32 times. Throws std::runtime_error.
-void writeSideBySide(const std::string& file, const std::vector<Picture>& pictures);
-
-// A PNG as it is, alpha 255 when it has none.
-Picture readPng(const std::string& file);
 
 }  // namespace comparison

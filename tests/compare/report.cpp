@@ -1,9 +1,10 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "comparison.h"
+#include "tests/measure/statistics.h"
 
 namespace comparison {
 
@@ -14,12 +15,43 @@ const Result* find(const Row& row, const std::string& name) {
   return result == row.results.end() ? nullptr : &result->second;
 }
 
-std::string cells(const Row& row, const std::string& name) {
+// Columns of a scene come before this one, those of an implementation behind it.
+constexpr std::size_t kImplementation = 6;
+
+const char* verdictOf(const Row& row) {
+  if (!row.skipped.empty()) return "skipped";
+  if (row.failures.empty()) return "good";
+  return row.deviates.empty() ? "FAIL" : "deviates";
+}
+
+measure::Cell medianOf(const Result* result) {
+  if (!result || result->milliseconds.empty()) return {};
+  return measure::median(result->milliseconds);
+}
+
+std::vector<measure::Cell> rowOf(const Row& row, const std::string& name) {
+  const Result* ours = find(row, "ours");
   const Result* result = find(row, name);
-  if (!result || !result->difference.present)
-    return fmt::format("{:>5} {:>7} {:>5} {:>9}", "-", "-", "-", "-");
-  return fmt::format("{:5} {:7.4f} {:5} {:9.2f}", result->difference.worst, result->difference.rms,
-                     result->difference.coverage, result->milliseconds);
+  std::vector<measure::Cell> cells = {row.name,
+                                      row.section,
+                                      verdictOf(row),
+                                      double(ours ? ours->difference.edgePixels : 0),
+                                      double(row.bound),
+                                      medianOf(find(row, "reference")),
+                                      name};
+  if (result && result->difference.present) {
+    const Difference& d = result->difference;
+    const measure::Summary times = measure::summary(result->milliseconds);
+    cells.insert(cells.end(), {double(d.worst), d.rms, double(d.coverage), double(d.worstOutside),
+                               times.median, 100 * times.spread()});
+  } else {
+    cells.resize(cells.size() + 6);
+  }
+  cells.push_back(result ? result->fault : "");
+  cells.push_back(name == "ours" ? fmt::format("{}", fmt::join(row.failures, "; ")) : "");
+  cells.push_back(name == "mesa" ? measure::Cell(double(row.disagreements)) : measure::Cell());
+  cells.push_back(name == "mesa" ? row.mesaDiffers : "");
+  return cells;
 }
 
 std::string notes(const Row& row) {
@@ -51,32 +83,43 @@ bool mesaIsExacter(const Row& row) {
          ours->difference.worst > std::max(mesa->difference.worst, 1);
 }
 
-std::string asTable(const Comparison& comparison, const Plan& plan) {
+measure::Table tableOf(const std::vector<Row>& rows, const Plan& plan) {
+  measure::Table table({{"scene"},
+                        {.name = "section", .detail = true},
+                        {"verdict"},
+                        {"edges", "pixels"},
+                        {"bound", "1/255"},
+                        {"reference", "ms", 2},
+                        {"implementation"},
+                        {"worst", "1/255"},
+                        {"rms", "1/255", 4},
+                        {"coverage", "pixels"},
+                        {.name = "outside edges", .unit = "1/255", .detail = true},
+                        {"time", "ms", 2},
+                        {"spread", "%"},
+                        {.name = "fault", .detail = true},
+                        {.name = "failures", .detail = true},
+                        {.name = "disagreements", .unit = "pixels", .detail = true},
+                        {.name = "mesa differs", .detail = true}});
+  for (const Row& row : rows)
+    for (const measure::Implementation& implementation : plan.implementations)
+      table.add(rowOf(row, implementation.name));
+  return table;
+}
+
+std::string asText(const Comparison& comparison, const Plan& plan) {
   const std::vector<Row>& rows = comparison.rows;
   std::string text = "the driver's own errors:\n";
   for (const auto& [name, error] : comparison.driverErrors)
     text += fmt::format("  {:38} {:.6f}\n", name, error);
-  text += fmt::format("{:40} {:>5} {:>5} {:>9}", "scene", "edges", "bound", "ref ms");
-  for (const Implementation& implementation : plan.implementations) {
-    text += fmt::format(" | {:>5} {:>7} {:>5} {:>9}", implementation.name.substr(0, 5), "rms", "cover", "ms");
-  }
-  text += '\n';
-  for (const Row& row : rows) {
-    const Result* reference = find(row, "reference");
-    const Result* ours = find(row, "ours");
-    text += fmt::format("{:40} {:5} {:5} {:9.2f}", row.name, ours ? ours->difference.edgePixels : 0,
-                        row.bound, reference ? reference->milliseconds : 0);
-    for (const Implementation& implementation : plan.implementations)
-      text += " | " + cells(row, implementation.name);
-    text += row.failures.empty() ? "\n" : row.deviates.empty() ? "  FAIL\n" : "  deviates\n";
-  }
-  for (const Implementation& implementation : plan.implementations) {
+  text += tableOf(rows, plan).sideBySide(kImplementation);
+  for (const measure::Implementation& implementation : plan.implementations) {
     double milliseconds = 0;
     int worst = 0, exact = 0;
     for (const Row& row : rows) {
       const Result* result = find(row, implementation.name);
       if (!result || !result->difference.present) continue;
-      milliseconds += result->milliseconds;
+      milliseconds += measure::median(result->milliseconds);
       worst = std::max(worst, result->difference.worst);
       exact += result->difference.worst <= 1;
     }
@@ -85,63 +128,6 @@ std::string asTable(const Comparison& comparison, const Plan& plan) {
   }
   for (const Row& row : rows) text += notes(row);
   return text;
-}
-
-std::string asCsv(const std::vector<Row>& rows, const Plan& plan) {
-  std::string text = "scene,section,edge_pixels,bound,reference_ms";
-  for (const Implementation& implementation : plan.implementations) {
-    for (const char* column : {"worst", "rms", "coverage", "ms"})
-      text += fmt::format(",{}_{}", implementation.name, column);
-  }
-  text += ",mesa_disagreements,mesa_differs,failures\n";
-  for (const Row& row : rows) {
-    const Result* reference = find(row, "reference");
-    const Result* ours = find(row, "ours");
-    text += fmt::format("\"{}\",\"{}\",{},{},{:.4f}", row.name, row.section,
-                        ours ? ours->difference.edgePixels : 0, row.bound,
-                        reference ? reference->milliseconds : 0);
-    for (const Implementation& implementation : plan.implementations) {
-      const Result* result = find(row, implementation.name);
-      if (result && result->difference.present)
-        text += fmt::format(",{},{:.6f},{},{:.4f}", result->difference.worst, result->difference.rms,
-                            result->difference.coverage, result->milliseconds);
-      else
-        text += ",,,,";
-    }
-    text +=
-        fmt::format(",{},\"{}\",\"{}\"\n", row.disagreements, row.mesaDiffers, fmt::join(row.failures, "; "));
-  }
-  return text;
-}
-
-std::string asJson(const std::vector<Row>& rows, const Plan& plan) {
-  nlohmann::json all = nlohmann::json::array();
-  for (const Row& row : rows) {
-    nlohmann::json entry = {{"scene", row.name},
-                            {"section", row.section},
-                            {"bound", row.bound},
-                            {"boundReason", row.boundReason},
-                            {"mesaDiffers", row.mesaDiffers},
-                            {"mesaDisagreements", row.disagreements},
-                            {"failures", row.failures}};
-    if (const Result* reference = find(row, "reference"))
-      entry["referenceMilliseconds"] = reference->milliseconds;
-    for (const Implementation& implementation : plan.implementations) {
-      const Result* result = find(row, implementation.name);
-      if (!result) continue;
-      const Difference& d = result->difference;
-      entry["implementations"][implementation.name] = {{"present", d.present},
-                                                       {"worst", d.worst},
-                                                       {"rms", d.rms},
-                                                       {"coverage", d.coverage},
-                                                       {"edgePixels", d.edgePixels},
-                                                       {"worstOutsideEdges", d.worstOutside},
-                                                       {"milliseconds", result->milliseconds},
-                                                       {"fault", result->fault}};
-    }
-    all.push_back(std::move(entry));
-  }
-  return all.dump(1) + '\n';
 }
 
 }  // namespace comparison

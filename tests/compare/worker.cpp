@@ -9,10 +9,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include "canvas.h"
+#include "tests/measure/picture.h"
 
 namespace comparison {
 
@@ -97,17 +97,8 @@ class Session {
   bool current_ = false;
 };
 
-void write(const std::string& file, const Picture& picture) {
-  std::ofstream out(file, std::ios::binary);
-  const std::int32_t size[] = {picture.width, picture.height};
-  out.write(reinterpret_cast<const char*>(size), sizeof size);
-  out.write(reinterpret_cast<const char*>(picture.rgba.data()),
-            static_cast<std::streamsize>(picture.rgba.size()));
-  if (!out) throw std::runtime_error("cannot write " + file);
-}
-
 struct Rendered {
-  Picture picture;
+  measure::Picture picture;
   double milliseconds = 0;  // drawing and reading back, without the making of the context
 };
 
@@ -146,10 +137,10 @@ void renderVariants(EGLDisplay display, const Scene& scene, const WorkerTask& ta
   Rendered rendered;
   for (int i = 0; i < task.repeats; ++i) rendered = render(display, scene, all[0]);
   if (rendered.picture.rgba.empty()) throw std::runtime_error("no such config");
-  write(pictureFile(task.directory, scene.name, 0), rendered.picture);
+  measure::writeRaw(pictureFile(task.directory, scene.name, 0), rendered.picture);
   for (std::size_t i = 1; task.varied && i < all.size(); ++i)
-    write(pictureFile(task.directory, scene.name, static_cast<int>(i)),
-          render(display, scene, all[i]).picture);
+    measure::writeRaw(pictureFile(task.directory, scene.name, static_cast<int>(i)),
+                      render(display, scene, all[i]).picture);
   std::printf("done\t%s\t%.4f\n", scene.name.c_str(), rendered.milliseconds);
 }
 
@@ -191,24 +182,7 @@ std::vector<Variant> variants(const Scene& scene, double lodError) {
 }
 
 std::string pictureFile(const std::string& directory, const std::string& scene, int variant) {
-  std::string name = scene;
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '-');
-  return directory + "/" + name + "." + std::to_string(variant) + ".rgba";
-}
-
-Picture readPicture(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::int32_t size[2] = {};
-  Picture picture;
-  if (!in.read(reinterpret_cast<char*>(size), sizeof size) || size[0] <= 0 || size[1] <= 0) return picture;
-  picture.rgba.resize(static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]) * 4);
-  if (!in.read(reinterpret_cast<char*>(picture.rgba.data()),
-               static_cast<std::streamsize>(picture.rgba.size())))
-    return {};
-  picture.width = size[0];
-  picture.height = size[1];
-  return picture;
+  return directory + "/" + measure::fileName(scene) + "." + std::to_string(variant) + ".rgba";
 }
 
 }  // namespace comparison

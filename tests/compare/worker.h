@@ -1,18 +1,12 @@
 // Renders scenes on whichever libEGL.so.1 this process found.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "scene.h"
 
 namespace comparison {
-
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<std::uint8_t> rgba;  // lower left row first
-};
 
 // How a picture of the reference is varied, to see what rounding may make of it. The first variant of every
 // scene changes nothing.
@@ -40,7 +34,4 @@ struct WorkerTask {
 void work(const WorkerTask& task);
 
 std::string pictureFile(const std::string& directory, const std::string& scene, int variant);
-// An empty picture when the file is not there or broken.
-Picture readPicture(const std::string& file);
-
 }  // namespace comparison
