@@ -131,7 +131,6 @@ void describeRendering(CLI::App& app, Options& options) {
 }
 
 void describeBench(CLI::App& app, BenchOptions& options, std::string& worker) {
-  options.mesaLibraries = ROOMS_SYSTEM_LIBRARIES;
   app.add_option("demo", options.demo, "a demo's name, or all")->capture_default_str();
   app.add_option("--size", options.size, "of the frames that are timed, in pixels")->capture_default_str();
   app.add_option("--error-size", options.errorSize, "of the pictures that are compared, in pixels")
@@ -139,19 +138,16 @@ void describeBench(CLI::App& app, BenchOptions& options, std::string& worker) {
   app.add_option("--frames", options.frames, "how many frames a round")
       ->capture_default_str()
       ->check(CLI::Range(1, 1'000'000));
-  app.add_option("--rounds", options.rounds, "rounds of fresh processes, taken in turns")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000));
+  measure::addFilter(app, options.filter);
+  measure::addRounds(app, options.rounds);
   app.add_option("--time", options.time, "seconds at frame 0, and of the compared picture")
       ->capture_default_str();
   describeSamples(app, options.samples);
   app.add_flag("--found", options.found,
                "only the implementation that is found, instead of ours, Mesa's own and Mesa's zink");
-  app.add_option("--mesa-libraries", options.mesaLibraries, "directory of the system's libEGL.so.1")
-      ->capture_default_str();
+  measure::addSources(app, options.sources);
   app.add_flag("--no-error", options.withoutError, "leave the reference renderer out");
-  app.add_flag("--csv", options.csv, "comma-separated values instead of a table");
-  app.add_flag("--json", options.json, "JSON instead of a table")->excludes("--csv");
+  measure::addFormat(app, options.format);
   app.add_option("--worker", worker)->group("");
   describeSettings(app, options.settings);
 }
@@ -178,11 +174,7 @@ int benchChosen(const BenchOptions& options, const std::string& worker) {
     return program::work(demos(), {options.demo, options.size, options.frames, options.samples, options.time,
                                    worker == "time" ? "" : worker, options.settings});
   }
-  const std::vector<program::BenchRow> rows = program::bench(demos(), options);
-  const std::string text = options.json  ? program::benchJson(rows)
-                           : options.csv ? program::benchCsv(rows)
-                                         : program::benchTable(rows);
-  std::fputs(text.c_str(), stdout);
+  std::fputs(program::benchReport(program::bench(demos(), options), options.format).c_str(), stdout);
   return 0;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "options.h"
+#include "tests/measure/options.h"
 
 namespace program {
 
@@ -19,9 +20,9 @@ struct BenchOptions {
   double time = 2;
   bool found = false;  // only the implementation that the program finds
   bool withoutError = false;
-  bool csv = false;
-  bool json = false;
-  std::string mesaLibraries;
+  measure::Format format = measure::Format::Text;
+  measure::Sources sources;
+  measure::Filter filter;  // of the demos that are named
   room::Settings settings;
 };
 
@@ -36,25 +37,22 @@ struct WorkerReport {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(WorkerReport, implementation, milliseconds, cpuMilliseconds, draws,
                                    uploadedKibibytes)
 
-struct BenchRow {
+// All rounds of one demo on one implementation.
+struct Measured {
   std::string demo;
-  std::string implementation;  // "ours", "mesa", "zink" or "found"
-  std::string says;            // what it calls itself
-  std::string fault;           // why there are no numbers
-  double median = 0;           // ms a frame
-  double first = 0;            // 1st percentile
-  double ninetyNinth = 0;
-  double worst = 0;
-  double cpu = 0;
-  double draws = 0;
-  double uploads = 0;   // KiB
-  double ratio = 0;     // of the medians, to Mesa's native; 0: none
-  double cpuRatio = 0;  // the same of processor time, which other programs disturb less
-  double error = -1;    // RMS against the reference renderer, 1/255; -1: not known
+  std::string implementation;        // "ours", "mesa", "zink" or "found"
+  std::string says;                  // what it calls itself
+  std::string fault;                 // why there are no numbers
+  std::vector<double> milliseconds;  // of every frame
+  // Of every round: the median of its frames' times, the processor's time a frame, in ms.
+  std::vector<double> medians, cpu;
+  double draws = 0, uploads = 0;  // a frame; uploads in KiB
+  double error = -1;              // RMS against the reference renderer, 1/255; -1: not known
 };
 
-// Runs everything that the options ask for, in rounds that go around the implementations.
-std::vector<BenchRow> bench(const std::vector<room::DemoEntry>& demos, const BenchOptions& options);
+// Runs everything that the options ask for, in rounds that go around the implementations. Throws UsageError
+// when that is nothing.
+std::vector<Measured> bench(const std::vector<room::DemoEntry>& demos, const BenchOptions& options);
 
 // What the processes do: draws the demo's frames and prints a report, or draws one frame into a file.
 struct WorkerTask {
@@ -68,11 +66,7 @@ struct WorkerTask {
 };
 int work(const std::vector<room::DemoEntry>& demos, const WorkerTask& task);
 
-std::string benchTable(const std::vector<BenchRow>& rows);
-std::string benchCsv(const std::vector<BenchRow>& rows);
-std::string benchJson(const std::vector<BenchRow>& rows);
-
-// Value below which that share of the values lies, between neighbours by their distance; values not empty.
-double percentile(std::vector<double> values, double share);
+// Text, CSV or JSON. Ratios are to Mesa's native implementation.
+std::string benchReport(const std::vector<Measured>& measured, measure::Format format);
 
 }  // namespace program

@@ -1,84 +1,81 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "bench.h"
+#include "tests/measure/statistics.h"
 
 namespace program {
 namespace {
 
-std::string orDash(bool known, const std::string& text) {
-  return known ? text : "-";
+std::vector<measure::Cell> rowOf(const Measured& measured, const Measured* mesa) {
+  std::vector<measure::Cell> row = {measured.demo, measured.implementation};
+  if (!measured.fault.empty()) {
+    row.resize(14);
+    row.insert(row.end(), {measured.says, measured.fault});
+    return row;
+  }
+  const auto known = [](bool there, double number) {
+    return there ? measure::Cell(number) : measure::Cell();
+  };
+  measure::Summary ratio, cpuRatio;
+  if (mesa && mesa->fault.empty()) {
+    ratio = measure::ratio(measured.medians, mesa->medians);
+    cpuRatio = measure::ratio(measured.cpu, mesa->cpu);
+  }
+  const bool compared = ratio.count > 0;
+  row.insert(
+      row.end(),
+      {known(measured.error >= 0, measured.error), measure::median(measured.milliseconds),
+       100 * measure::summary(measured.medians).spread(), measure::percentile(measured.milliseconds, 0.01),
+       measure::percentile(measured.milliseconds, 0.99), measure::percentile(measured.milliseconds, 1),
+       known(compared, ratio.median), known(compared, 100 * ratio.spread()), measure::median(measured.cpu),
+       known(compared, cpuRatio.median), measured.draws, measured.uploads, measured.says, ""});
+  return row;
 }
 
-std::string times(double ratio) {
-  return orDash(ratio > 0, fmt::format("{:.2f}x", ratio));
+measure::Table tableOf(const std::vector<Measured>& measured) {
+  measure::Table table({{"demo"},
+                        {"implementation"},
+                        {"error rms", "1/255", 3},
+                        {"median", "ms", 2},
+                        {"spread", "%"},
+                        {"1st percentile", "ms", 2},
+                        {"99th percentile", "ms", 2},
+                        {"worst", "ms", 2},
+                        {"ratio to mesa", "", 2},
+                        {"spread of ratio", "%"},
+                        {"cpu", "ms", 2},
+                        {"cpu ratio to mesa", "", 2},
+                        {"draws"},
+                        {"uploaded", "KiB"},
+                        {.name = "says", .detail = true},
+                        {.name = "fault", .detail = true}});
+  for (const Measured& each : measured) {
+    const auto mesa = std::find_if(measured.begin(), measured.end(), [&](const Measured& other) {
+      return other.demo == each.demo && other.implementation == "mesa";
+    });
+    table.add(rowOf(each, mesa == measured.end() ? nullptr : &*mesa));
+  }
+  return table;
 }
 
 }  // namespace
 
-std::string benchTable(const std::vector<BenchRow>& rows) {
+std::string benchReport(const std::vector<Measured>& measured, measure::Format format) {
+  const measure::Table table = tableOf(measured);
+  if (format == measure::Format::Json) return table.json().dump(2) + "\n";
+  if (format == measure::Format::Csv) return table.csv();
   std::map<std::string, std::string> says;
-  for (const BenchRow& row : rows) {
-    if (!row.says.empty()) says[row.implementation] = row.says;
+  std::string text, faults;
+  for (const Measured& each : measured) {
+    if (!each.says.empty()) says[each.implementation] = each.says;
+    if (!each.fault.empty())
+      faults += fmt::format("{} on {}: {}\n", each.demo, each.implementation, each.fault);
   }
-  std::string text;
   for (const auto& [name, words] : says) text += fmt::format("{}: {}\n", name, words);
-  text += fmt::format(
-      "\nms a frame; error: RMS against the reference renderer in 1/255, edges and all\n{:<16} {:<6} {:>7} "
-      "{:>9} {:>9} {:>9} {:>9} {:>8} {:>9} {:>8} {:>7} {:>7}\n",
-      "demo", "on", "error", "median", "1st", "99th", "worst", "to mesa", "CPU", "to mesa", "draws",
-      "KiB up");
-  for (const BenchRow& row : rows) {
-    if (!row.fault.empty()) {
-      text += fmt::format("{:<16} {:<6} {}\n", row.demo, row.implementation, row.fault);
-      continue;
-    }
-    text += fmt::format(
-        "{:<16} {:<6} {:>7} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} {:>8} {:>9.2f} {:>8} {:>7.0f} {:>7.0f}\n",
-        row.demo, row.implementation, orDash(row.error >= 0, fmt::format("{:.3f}", row.error)), row.median,
-        row.first, row.ninetyNinth, row.worst, times(row.ratio), row.cpu, times(row.cpuRatio), row.draws,
-        row.uploads);
-  }
-  return text;
-}
-
-std::string benchCsv(const std::vector<BenchRow>& rows) {
-  std::string text =
-      "demo,implementation,error_rms_255,median_ms,first_percentile_ms,99th_percentile_ms,worst_ms,cpu_ms,"
-      "draws,"
-      "uploaded_kib,ratio_to_mesa,cpu_ratio_to_mesa,fault\n";
-  for (const BenchRow& row : rows) {
-    text += fmt::format("{},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.1f},{:.1f},{},{},\"{}\"\n", row.demo,
-                        row.implementation, row.error >= 0 ? fmt::format("{:.4f}", row.error) : "",
-                        row.median, row.first, row.ninetyNinth, row.worst, row.cpu, row.draws, row.uploads,
-                        row.ratio > 0 ? fmt::format("{:.4f}", row.ratio) : "",
-                        row.cpuRatio > 0 ? fmt::format("{:.4f}", row.cpuRatio) : "", row.fault);
-  }
-  return text;
-}
-
-std::string benchJson(const std::vector<BenchRow>& rows) {
-  nlohmann::json document = nlohmann::json::array();
-  for (const BenchRow& row : rows) {
-    nlohmann::json entry = {{"demo", row.demo}, {"implementation", row.implementation}};
-    if (row.fault.empty()) {
-      entry.update({{"says", row.says},
-                    {"median_ms", row.median},
-                    {"first_percentile_ms", row.first},
-                    {"99th_percentile_ms", row.ninetyNinth},
-                    {"worst_ms", row.worst},
-                    {"cpu_ms", row.cpu},
-                    {"draws", row.draws},
-                    {"uploaded_kib", row.uploads}});
-      if (row.error >= 0) entry["error_rms_255"] = row.error;
-      if (row.ratio > 0) entry.update({{"ratio_to_mesa", row.ratio}, {"cpu_ratio_to_mesa", row.cpuRatio}});
-    } else {
-      entry["fault"] = row.fault;
-    }
-    document.push_back(std::move(entry));
-  }
-  return document.dump(2) + "\n";
+  return text + "\na frame; error: against the reference renderer, edges and all\n" + table.text() + faults;
 }
 
 }  // namespace program

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "process.h"
+#include "tests/measure/process.h"
 
 namespace {
 
