@@ -6,8 +6,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <cstdlib>
+#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -19,7 +20,8 @@
 #include "reflect/reflect.h"
 #include "room/context.h"
 #include "skinning/skinning.h"
-#include "tests/measure/process.h"
+#include "tests/measure/options.h"
+#include "tests/measure/statistics.h"
 #include "water/water.h"
 
 namespace {
@@ -40,12 +42,6 @@ const room::DemoEntry kDemos[] = {{"lighting", "", lighting::makeLighting},
 
 double milliseconds(Clock::duration time) {
   return std::chrono::duration<double, std::milli>(time).count();
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
 }
 
 // In a process of its own: the times of all frames.
@@ -79,33 +75,66 @@ double creatingMilliseconds(const std::filesystem::path& file) {
   return static_cast<double>(store.database().ask("SELECT total(create_us) FROM pipeline", 0)) / 1000;
 }
 
-void reportDemos(const std::string& program) {
-  fmt::print("{:15} {:>3} {:>10} {:>10} {:>10} {:>10} {:>13} {:>15}\n", "demo", "run", "first ms",
-             "median ms", "first/med.", "worst/med.", "glslang calls", "pipelines ms");
-  for (const auto& demo : kDemos) {
-    const process::TemporaryDirectory folder;
-    const process::Environment environment{{"ANTEROOM_CACHE", "on"},
-                                           {"ANTEROOM_CACHE_DIR", folder.path()},
-                                           {"MESA_SHADER_CACHE_DIR", folder.path()},
-                                           {"MESA_SHADER_CACHE_DISABLE", "false"}};
-    const std::filesystem::path file = std::filesystem::path(folder.path()) / "anteroom.db";
-    for (int run = 1; run <= 3; ++run) {
-      const int64_t before = shadersIn(file);
-      const process::Outcome outcome =
-          process::run(program, {"--demo", std::string(demo.name)}, environment, kSeconds);
-      const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
-      if (outcome.status != 0 || !json.is_array() || json.size() != kFrames) {
-        fmt::print("{:15} {:>3} failed with status {}\n", demo.name, run, outcome.status);
-        break;
-      }
-      const auto times = json.get<std::vector<double>>();
-      const double middle = median({times.begin() + 1, times.end()});
-      fmt::print("{:15} {:>3} {:10.2f} {:10.2f} {:10.2f} {:10.2f} {:>13} {:15.2f}\n", demo.name, run,
-                 times[0], middle, times[0] / middle,
-                 *std::max_element(times.begin() + 1, times.end()) / middle, shadersIn(file) - before,
-                 creatingMilliseconds(file));
+// One run of a demo, a number a round.
+struct Run {
+  std::vector<double> first, median, worst;  // ms a frame; worst of all but the first
+  std::vector<double> compiled, creating;    // calls into glslang; ms that the driver took to make pipelines
+  std::string fault;
+};
+constexpr int kRuns = 3;
+
+// A demo that begins with empty caches, and again with what was left.
+void addRound(const std::string& demo, std::array<Run, kRuns>& runs) {
+  const process::TemporaryDirectory folder;
+  const process::Environment environment = measure::withCaches({}, folder.path());
+  const std::filesystem::path file = environment.at("ANTEROOM_CACHE_DIR") + "/anteroom.db";
+  for (Run& run : runs) {
+    const int64_t before = shadersIn(file);
+    const process::Outcome outcome = process::run("/proc/self/exe", {"--demo", demo}, environment, kSeconds);
+    const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
+    if (outcome.status != 0 || !json.is_array() || json.size() != kFrames) {
+      run.fault = fmt::format("ended with status {}", outcome.status);
+      return;
+    }
+    const auto times = json.get<std::vector<double>>();
+    run.first.push_back(times[0]);
+    run.median.push_back(measure::median({times.begin() + 1, times.end()}));
+    run.worst.push_back(*std::max_element(times.begin() + 1, times.end()));
+    run.compiled.push_back(static_cast<double>(shadersIn(file) - before));
+    run.creating.push_back(creatingMilliseconds(file));
+  }
+}
+
+measure::Table demoTable(const std::vector<std::string>& demos, int rounds) {
+  std::vector<std::array<Run, kRuns>> all(demos.size());
+  for (int round = 0; round < rounds; ++round)
+    measure::takeTurns(static_cast<std::size_t>(round), demos.size(),
+                       [&](std::size_t i) { addRound(demos[i], all[i]); });
+  measure::Table table({{"demo"},
+                        {"run"},
+                        {"first frame", "ms", 2},
+                        {"spread", "%"},
+                        {"median frame", "ms", 2},
+                        {"first to median", "", 2},
+                        {"worst to median", "", 2},
+                        {"glslang calls"},
+                        {"pipelines", "ms", 2},
+                        {"fault"}});
+  for (std::size_t i = 0; i < demos.size(); ++i) {
+    for (std::size_t number = 0; number < kRuns; ++number) {
+      const Run& run = all[i][number];
+      std::vector<measure::Cell> row = {demos[i], static_cast<double>(number + 1)};
+      if (run.fault.empty() && !run.first.empty())
+        row.insert(row.end(), {measure::median(run.first), 100 * measure::summary(run.first).spread(),
+                               measure::median(run.median), measure::ratio(run.first, run.median).median,
+                               measure::ratio(run.worst, run.median).median, measure::median(run.compiled),
+                               measure::median(run.creating)});
+      row.resize(9);
+      row.push_back(run.fault);
+      table.add(std::move(row));
     }
   }
+  return table;
 }
 
 std::string keyOf(int row) {
@@ -118,7 +147,7 @@ std::vector<uint32_t> spirvOf(int row) {
   return spirv;
 }
 
-void reportFile() {
+measure::Table fileTable() {
   const process::TemporaryDirectory folder;
   const std::filesystem::path file = std::filesystem::path(folder.path()) / "anteroom.db";
   constexpr int kRows = 10000;
@@ -148,16 +177,46 @@ void reportFile() {
       throw std::runtime_error("a row is missing");
     finding.push_back(milliseconds(Clock::now() - start) * 1000);
   }
-  fmt::print("a cache of {} rows: opened in {:.2f} ms, a shader found in {:.1f} us (medians)\n\n", kRows,
-             median(opening), median(finding));
+  measure::Table table({{"rows"}, {"opening", "ms", 2}, {"finding a shader", "us", 1}});
+  table.add({static_cast<double>(kRows), measure::median(opening), measure::median(finding)});
+  return table;
+}
+
+// The first use of state mixes beside Mesa's. Returns only when there is no such program.
+void becomeBench() {
+  fmt::print(
+      "\nfirst use of state mixes, with both caches (anteroom-bench --compare --filter first_use.warm):\n");
+  std::fflush(stdout);
+  const std::string bench = process::executableDirectory() + "/anteroom-bench";
+  execl(bench.c_str(), bench.c_str(), "--compare", "--filter", "first_use.warm", "--rounds", "5",
+        static_cast<char*>(nullptr));
+  throw std::runtime_error(bench + " is not there");
+}
+
+void report(const std::vector<std::string>& demos, int rounds, measure::Format format) {
+  const measure::Table file = fileTable(), frames = demoTable(demos, rounds);
+  if (format == measure::Format::Json) {
+    fmt::print("{}\n", nlohmann::json{{"file", file.json()}, {"demos", frames.json()}}.dump(2));
+  } else if (format == measure::Format::Csv) {
+    fmt::print("{}\n{}", file.csv(), frames.csv());
+  } else {
+    fmt::print("{}\n{}", file.text(), frames.text());
+    becomeBench();
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  measure::Filter filter;
+  measure::Format format = measure::Format::Text;
+  int rounds = 1;
   std::string demo;
-  CLI::App app("Reports what the shader cache saves, and what it costs.");
+  CLI::App app("What the cache saves, and what it costs.");
   app.set_version_flag("--version", "anteroom-cache-speed " ANTEROOM_VERSION);
+  measure::addFilter(app, filter);
+  measure::addRounds(app, rounds);
+  measure::addFormat(app, format);
   app.add_option("--demo", demo)->group("");
   try {
     app.parse(argc, argv);
@@ -165,20 +224,14 @@ int main(int argc, char** argv) {
       drawDemo(demo);
       return 0;
     }
-    std::setvbuf(stdout, nullptr, _IOLBF, 0);
-    reportFile();
-    reportDemos("/proc/self/exe");
-    fmt::print(
-        "\nfirst use of state mixes, with both caches (anteroom-bench --compare --filter first_use.warm):\n");
-    std::fflush(stdout);
-    const std::string bench = process::executableDirectory() + "/anteroom-bench";
-    execl(bench.c_str(), bench.c_str(), "--compare", "--filter", "first_use.warm", "--rounds", "5",
-          static_cast<char*>(nullptr));
-    fmt::print(stderr, "anteroom-cache-speed: {} is not there\n", bench);
+    std::vector<std::string> names;
+    for (const room::DemoEntry& entry : kDemos) names.emplace_back(entry.name);
+    report(filter.chosen(names), rounds, format);
+    return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) ? 2 : 0;
   } catch (const std::exception& error) {
     fmt::print(stderr, "anteroom-cache-speed: {}\n", error.what());
+    return measure::kUsage;
   }
-  return 1;
 }
