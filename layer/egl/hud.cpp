@@ -4,8 +4,9 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
+
+#include "layer/render/word_list.h"
 
 namespace anteroom::egl {
 namespace {
@@ -33,24 +34,14 @@ constexpr ItemText kItems[] = {
     {"uploads", HudItem::Uploads, false, "texels uploaded a frame"},
 };
 
-std::string help() {
-  std::string text = "anteroom: ANTEROOM_HUD takes, separated by commas:\n";
-  const auto line = [&](std::string_view name, std::string_view meaning) {
-    std::string padded(name);
-    padded.resize(12, ' ');
-    text.append("  ").append(padded).append(meaning).append("\n");
-  };
-  for (const ItemText& item : kItems) line(item.name, item.meaning);
-  line("1", "fps, frame, draws, pipelines and compiles");
-  line("all", "all of these");
-  line("pbuffers", "over the pictures of pbuffers, too, where programs read it");
-  return text;
-}
-
-std::string listOfItems() {
-  std::string list;
-  for (const ItemText& item : kItems) list.append(item.name).append(", ");
-  return list + "1, all, pbuffers, help";
+render::WordList wordList() {
+  render::WordList list{"ANTEROOM_HUD", {}};
+  for (const ItemText& item : kItems)
+    list.words.push_back({std::string(item.name), std::string(item.meaning)});
+  list.words.push_back({"1", "fps, frame, draws, pipelines and compiles"});
+  list.words.push_back({"all", "all of these"});
+  list.words.push_back({"pbuffers", "over the pictures of pbuffers, too, where programs read it"});
+  return list;
 }
 
 // False: it is not known.
@@ -92,27 +83,15 @@ void putBytes(render::Hud::Line& line, double bytes) {
 
 HudOptions parseHudOptions(std::string_view words, std::string& complaint) {
   HudOptions options;
-  std::string unknown;
-  while (!words.empty()) {
-    const size_t comma = std::min(words.find(','), words.size());
-    const std::string_view word = words.substr(0, comma);
-    words.remove_prefix(std::min(comma + 1, words.size()));
-    if (word == "help")
-      complaint += help();
-    else if (!word.empty() && !take(options, word))
-      unknown.append(unknown.empty() ? "" : ", ").append(word);
-  }
-  if (!unknown.empty())
-    complaint += "anteroom: ANTEROOM_HUD does not know " + unknown + "; it knows: " + listOfItems() + "\n";
+  complaint += wordList().read(words, [&](std::string_view word) { return take(options, word); });
   return options;
 }
 
 const HudOptions& hudOptions() {
   // Never destroyed: surfaces may be made while the process ends.
   static const HudOptions& options = *[] {
-    const char* const words = std::getenv("ANTEROOM_HUD");
     std::string complaint;
-    auto* const parsed = new HudOptions(parseHudOptions(words ? words : "", complaint));
+    auto* const parsed = new HudOptions(parseHudOptions(render::environmentWords("ANTEROOM_HUD"), complaint));
     if (!complaint.empty()) std::fputs(complaint.c_str(), stderr);
     return parsed;
   }();

@@ -1,9 +1,9 @@
 #include "layer/render/debug_options.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
+
+#include "layer/render/word_list.h"
 
 namespace anteroom::render {
 namespace {
@@ -56,20 +56,11 @@ constexpr Word kWords[] = {
     {"validation", "[=fatal]", "the Khronos validation layer; its first message aborts", takeValidation},
 };
 
-std::string listOfWords() {
-  std::string list;
-  for (const Word& word : kWords) list.append(list.empty() ? "" : ", ").append(word.name).append(word.value);
-  return list + ", help";
-}
-
-std::string help() {
-  std::string text = "anteroom: ANTEROOM_DEBUG takes, separated by commas:\n";
-  for (const Word& word : kWords) {
-    std::string shown = std::string(word.name) + std::string(word.value);
-    shown.resize(20, ' ');
-    text.append("  ").append(shown).append(word.meaning).append("\n");
-  }
-  return text;
+WordList wordList() {
+  WordList list{"ANTEROOM_DEBUG", {}};
+  for (const Word& word : kWords)
+    list.words.push_back({std::string(word.name).append(word.value), std::string(word.meaning)});
+  return list;
 }
 
 // False: it is not one of kWords.
@@ -86,27 +77,15 @@ bool take(DebugOptions& options, std::string_view text) {
 
 DebugOptions parseDebugOptions(std::string_view words, std::string& complaint) {
   DebugOptions options;
-  std::string unknown;
-  while (!words.empty()) {
-    const size_t comma = std::min(words.find(','), words.size());
-    const std::string_view text = words.substr(0, comma);
-    words.remove_prefix(std::min(comma + 1, words.size()));
-    if (text == "help")
-      complaint += help();
-    else if (!text.empty() && !take(options, text))
-      unknown.append(unknown.empty() ? "" : ", ").append(text);
-  }
-  if (!unknown.empty())
-    complaint += "anteroom: ANTEROOM_DEBUG does not know " + unknown + "; it knows: " + listOfWords() + "\n";
+  complaint += wordList().read(words, [&](std::string_view word) { return take(options, word); });
   return options;
 }
 
 const DebugOptions& debugOptions() {
   // Never destroyed: contexts may end while the process ends.
   static const DebugOptions& options = *[] {
-    const char* const words = secure_getenv("ANTEROOM_DEBUG");
     std::string complaint;
-    auto* const parsed = new DebugOptions(parseDebugOptions(words ? words : "", complaint));
+    auto* const parsed = new DebugOptions(parseDebugOptions(environmentWords("ANTEROOM_DEBUG"), complaint));
     if (!complaint.empty()) std::fputs(complaint.c_str(), stderr);
     return parsed;
   }();
