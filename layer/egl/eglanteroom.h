@@ -15,5 +15,6 @@
 #define EGL_DEVICE_CHOICE_ANTEROOM 0x3FE5 /* why it took the one it has */
 #define EGL_DRIVER_ANTEROOM 0x3FE6        /* that one's driver and its version */
 #define EGL_SHADER_CACHE_ANTEROOM 0x3FE7  /* the file of compiled shaders, or "none" and why */
+#define EGL_QUIRKS_ANTEROOM 0x3FE8        /* what is done about the driver's faults: names, or "" */
 
 #endif

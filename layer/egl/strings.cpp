@@ -66,6 +66,8 @@ const char* displayString(const render::Origin& origin, EGLint name) {
       return origin.driver.c_str();
     case EGL_SHADER_CACHE_ANTEROOM:
       return origin.cache.c_str();
+    case EGL_QUIRKS_ANTEROOM:
+      return origin.quirks.c_str();
     default:
       return nullptr;
   }

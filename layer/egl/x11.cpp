@@ -83,8 +83,7 @@ class X11 final : public WindowSystem, public std::enable_shared_from_this<X11> 
     std::vector<Visual> found;
     // A window of the usual depth hides what is behind, whatever its colors' alpha.
     addVisual(24, found);
-    // Mesa's CPU driver sends pictures as if every window were 24 bits deep.
-    if (alpha && !caps.isCpu) addVisual(32, found);
+    if (alpha && caps.x11Alpha) addVisual(32, found);
     return found;
   }
 

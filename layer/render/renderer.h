@@ -88,6 +88,7 @@ struct Origin {
   std::string devices;  // those that it found, one a line, and what became of each
   std::string choice;   // why it took the one it has
   std::string driver;   // its name and version
+  std::string quirks;   // what is done about that driver's faults: names with spaces between them
   std::string cache;    // the file of compiled shaders, or why there is none
 };
 
@@ -106,12 +107,12 @@ struct Caps {
   int subpixelBits = 4;
   float maxAnisotropy = 1;
   float maxLodBias = 14;  // largest absolute value of TEXTURE_LOD_BIAS that is not clamped
-  bool isCpu = false;
   // Formats in which framebuffers can be offered without loss; sample counts other than 1 that work with all.
   bool renderable[kFormatCount] = {};  // indexed by Format
   int maxSamples = 1;
   bool polygonOffsetClamp = true;
-  bool windows = false;  // of the window system that the device was made for
+  bool windows = false;   // of the window system that the device was made for
+  bool x11Alpha = false;  // X windows may be 32 bits deep, and what is behind them shines through
   // ANTEROOM_DEBUG=markers, and a device that can: images want names, draws groups.
   bool objectNames = false;
   bool drawGroups = false;

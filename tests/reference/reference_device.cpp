@@ -19,7 +19,6 @@ class ReferenceDevice final : public render::Device {
     caps_.pointSizeRange[1] = caps_.smoothPointSizeRange[1] = 256;
     caps_.lineWidthRange[1] = caps_.smoothLineWidthRange[1] = 256;
     caps_.subpixelBits = 8;
-    caps_.isCpu = true;
     caps_.maxSamples = 4;
     for (bool& renderable : caps_.renderable) renderable = true;
   }

@@ -203,6 +203,7 @@ Facts ask() {
     facts.choice = origin(EGL_DEVICE_CHOICE_ANTEROOM);
     facts.driver = origin(EGL_DRIVER_ANTEROOM);
     facts.cache = origin(EGL_SHADER_CACHE_ANTEROOM);
+    facts.quirks = split(origin(EGL_QUIRKS_ANTEROOM), ' ');
   }
   askGl(platforms.first(), facts.gl);
   return facts;

@@ -31,7 +31,7 @@ struct Gl {
 struct Facts {
   std::string eglLibrary, glLibrary;  // files
   // Of EGL_ANTEROOM_origin; empty where somebody else's library answers.
-  Names devices;
+  Names devices, quirks;
   std::string choice, driver, cache;
   std::string eglVersion;
   Names clientExtensions;

@@ -121,6 +121,7 @@ void print(const Facts& facts, bool brief) {
     for (const std::string& device : facts.devices) fmt::print("  {}\n", device);
     printRow("because", facts.choice);
     printRow("driver", facts.driver);
+    printRow("quirks", joined(facts.quirks, ", "));
     printRow("cache", cacheText(facts.cache));
   }
   fmt::print("\nEGL\n");
@@ -153,6 +154,7 @@ void printJson(const Facts& facts) {
                      {{"found", facts.devices},
                       {"because", facts.choice},
                       {"driver", facts.driver},
+                      {"quirks", facts.quirks},
                       {"cache", facts.cache}}},
                     {"egl", {{"version", facts.eglVersion}, {"clientExtensions", facts.clientExtensions}}},
                     {"platforms", platforms},

@@ -11,7 +11,7 @@ class Labels {
  public:
   struct Wanted {
     bool available = false;   // the extension; without it there are neither names nor groups
-    bool inCommands = false;  // Mesa's CPU driver crashes in labels of command buffers (22.3)
+    bool inCommands = false;  // labels of command buffers, too
     bool all = false;         // names also for what the program gives none, and groups for its draws
   };
   void load(VkDevice device, const Wanted& wanted);

@@ -72,18 +72,11 @@ std::string version(uint32_t number) {
 }
 
 std::string describeDevice(const VulkanDevice& device) {
-  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
-  VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
-  const VkPhysicalDeviceProperties& is = all.properties;
-  vkGetPhysicalDeviceProperties(device.physical(), &all.properties);
-  // Part of Vulkan 1.2.
-  if (is.apiVersion >= VK_API_VERSION_1_2) {
-    all.pNext = &driver;
-    vkGetPhysicalDeviceProperties2(device.physical(), &all);
-  }
-  return fmt::format("device: {} ({:04x}:{:04x})\ndriver: {} {}, version {:#x}, Vulkan {}\n", is.deviceName,
-                     is.vendorID, is.deviceID, driver.driverName, driver.driverInfo, is.driverVersion,
-                     version(is.apiVersion));
+  VkPhysicalDeviceProperties is;
+  vkGetPhysicalDeviceProperties(device.physical(), &is);
+  return fmt::format("device: {} ({:04x}:{:04x})\ndriver: {}, version {:#x}, Vulkan {}\nquirks: {}\n",
+                     is.deviceName, is.vendorID, is.deviceID, device.driver().text, is.driverVersion,
+                     version(is.apiVersion), namesOf(device.quirks()));
 }
 
 std::string hex(cache::KeyBytes bytes) {

@@ -28,10 +28,6 @@ namespace {
 
 constexpr uint32_t kSetsAPool = 64;
 
-// A CPU driver allocates and frees its scene blocks with malloc: glibc's defaults give the pages back to the
-// kernel and fault them in again at every frame. Sixty frames of 5,000 draws with a change of state between
-// fault 800,000 times with the defaults, 30,000 to 200,000 times with these values (runs scatter), and more
-// with smaller ones.
 void keepPages() {
 #ifdef __GLIBC__
   const char* setting = std::getenv("ANTEROOM_MALLOPT");
@@ -39,16 +35,6 @@ void keepPages() {
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
   mallopt(M_MMAP_THRESHOLD, 4 << 20);
 #endif
-}
-
-std::string driverText(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
-  // Core since Vulkan 1.2. Before, drivers write their versions as they like.
-  if (properties.apiVersion < VK_API_VERSION_1_2)
-    return "version " + std::to_string(properties.driverVersion);
-  VkPhysicalDeviceDriverProperties driver{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
-  VkPhysicalDeviceProperties2 all{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &driver};
-  vkGetPhysicalDeviceProperties2(physical, &all);
-  return std::string(driver.driverName) + ", " + driver.driverInfo;
 }
 
 }  // namespace
@@ -81,13 +67,16 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   VkPhysicalDeviceProperties properties;
   vkGetPhysicalDeviceProperties(instance_.physical, &properties);
   limits_ = properties.limits;
+  isCpu_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
+  driver_ = driverOf(instance_.physical);
+  quirks_ = quirksOf(driver_);
   formats_ = chooseFormats(instance_.physical, features_);
   fillCaps(properties);
-  labels_.load(handle_, {instance_.debugUtils, !caps_.isCpu, debug_.markers});
+  labels_.load(handle_, {instance_.debugUtils, !quirks_.crashesInLabels, debug_.markers});
   caps_.objectNames = labels_.nameAll();
   caps_.drawGroups = labels_.nameAll() && labels_.inCommands();
   if (labels_.nameAll()) labels_.name(VK_OBJECT_TYPE_QUEUE, queue_, "the queue of all contexts");
-  if (caps_.isCpu) keepPages();
+  if (quirks_.returnsPages) keepPages();
 
   memory_ = std::make_unique<MemoryPool>(*this);
   timeline_ = std::make_unique<Timeline>(*this);
@@ -157,10 +146,10 @@ int VulkanDevice::commonSamples() const {
 
 void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   caps_.deviceName = properties.deviceName;
-  caps_.isCpu = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
   caps_.origin.devices = instance_.devices;
   caps_.origin.choice = instance_.choice;
-  caps_.origin.driver = driverText(instance_.physical, properties);
+  caps_.origin.driver = driver_.text;
+  caps_.origin.quirks = namesOf(quirks_);
   const cache::CacheLocation cache = cache::cacheLocation();
   caps_.origin.cache = !cache.file.empty()    ? cache.file.string()
                        : cache.reason.empty() ? "none: switched off"
@@ -186,6 +175,7 @@ void VulkanDevice::fillCaps(const VkPhysicalDeviceProperties& properties) {
   caps_.maxSamples = commonSamples();
   caps_.polygonOffsetClamp = features_.depthBiasClamp;
   caps_.windows = features_.swapchain;
+  caps_.x11Alpha = !quirks_.showsX11Opaque;
 }
 
 bool VulkanDevice::createLayouts() {

@@ -13,6 +13,7 @@
 #include "layer/vulkan/device/formats.h"
 #include "layer/vulkan/device/instance.h"
 #include "layer/vulkan/device/memory.h"
+#include "layer/vulkan/device/quirks.h"
 #include "layer/vulkan/resources/stream.h"
 #include "layer/vulkan/vulkan_device.h"
 
@@ -71,6 +72,10 @@ class VulkanDevice : public render::Device {
   VkQueue queue() const { return queue_; }
   const VolkDeviceTable& fn() const { return fn_; }
   const Features& features() const { return features_; }
+  const Driver& driver() const { return driver_; }
+  const Quirks& quirks() const { return quirks_; }
+  // Its memory is the CPU's, and what it does takes the program's own time.
+  bool isCpu() const { return isCpu_; }
   const VkPhysicalDeviceLimits& limits() const { return limits_; }
   const StoreFormat& format(render::Format format) const { return formats_[static_cast<int>(format)]; }
   // Whether a vertex attribute may have this format.
@@ -127,6 +132,9 @@ class VulkanDevice : public render::Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   VolkDeviceTable fn_{};
   Features features_;
+  Driver driver_;
+  Quirks quirks_;
+  bool isCpu_ = false;
   render::DebugOptions debug_;
   Labels labels_;
   VkPhysicalDeviceLimits limits_{};

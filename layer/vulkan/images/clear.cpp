@@ -157,7 +157,7 @@ bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const 
   bound_.pipeline = pipeline;
   if (features.dynamicVertexInput) fn.vkCmdSetVertexInputEXT(commands, 0, nullptr, 0, nullptr);
   bound_.layout = {};
-  emit(fn, commands, features, key.samples, quad, sent_, !bound_.stateSent);
+  emit(device_, commands, key.samples, quad, sent_, !bound_.stateSent);
   bound_.stateSent = true;
   return true;
 }

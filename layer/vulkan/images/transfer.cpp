@@ -164,10 +164,9 @@ bool VulkanContext::copyFromFramebuffer(render::Image& target, const render::Reg
   const bool widened =
       image.format().conversion == Conversion::Widen || from.format().conversion == Conversion::Widen;
   const bool encoded = render::isSrgb(image.desc().format) || render::isSrgb(from.desc().format);
-  // lavapipe 22.3 blits from flat images into the first slice of a volume, whichever was asked for.
-  const bool mixed =
-      from.desc().dimension != image.desc().dimension && image.desc().dimension == render::Dimension::Volume;
-  if (swizzled || widened || encoded || mixed || &from == &image)
+  const bool slice = device_.quirks().blitsToFirstSlice && from.desc().dimension != image.desc().dimension &&
+                     image.desc().dimension == render::Dimension::Volume;
+  if (swizzled || widened || encoded || slice || &from == &image)
     return copyThroughMemory(image, inside, source, x, y);
   return copyOnDevice(image, inside, source, x, y);
 }

@@ -10,6 +10,8 @@
 
 namespace anteroom::vulkan {
 
+class VulkanDevice;
+
 // State that a pipeline bakes on devices where it is not dynamic. Bytes only: hashed and compared whole.
 struct BakedState {
   uint8_t topology = 0;
@@ -48,7 +50,7 @@ BakedState baked(const BakedState& state, const Features& features);
 
 VkPrimitiveTopology topologyOf(GLenum mode);
 // Sends what differs from what was sent before, or all of it.
-void emit(const VolkDeviceTable& fn, VkCommandBuffer commands, const Features& features, uint32_t samples,
-          const DrawState& wanted, DrawState& sent, bool all);
+void emit(const VulkanDevice& device, VkCommandBuffer commands, uint32_t samples, const DrawState& wanted,
+          DrawState& sent, bool all);
 
 }  // namespace anteroom::vulkan

@@ -119,7 +119,7 @@ bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
 }
 
 void VulkanContext::submitEarly() {
-  if (++drawsSinceSubmit_ <= kDrawsASubmission || !device_.caps().isCpu) return;
+  if (++drawsSinceSubmit_ <= kDrawsASubmission || !device_.isCpu()) return;
   submit();
 }
 
@@ -305,8 +305,7 @@ bool VulkanContext::bindAll(VkCommandBuffer commands) {
   startBound();
   bindVertices(commands);
   if (!bindPipeline(commands)) return false;
-  emit(device_.fn(), commands, device_.features(), pass_.formats().samples, wanted_, sent_,
-       !bound_.stateSent);
+  emit(device_, commands, pass_.formats().samples, wanted_, sent_, !bound_.stateSent);
   bound_.stateSent = true;
   bindConstants(commands);
   return bindTextures(commands, units_, views_.data(), samplers_.data());
@@ -439,8 +438,7 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands, uint32_t units, const
                                  count, writes);
     bound_.textures |= units;
   } else {
-    // Drivers walk all of a set: what no shader reads shows some texture, too.
-    for (uint32_t unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
+    for (uint32_t unit = 0; device_.quirks().readsUnusedBindings && unit < gen::kMaxTextureUnits; ++unit) {
       if (units >> unit & 1) continue;
       writes[count] = writes[0];
       writes[count++].dstBinding = unit;
@@ -456,10 +454,8 @@ bool VulkanContext::bindTextures(VkCommandBuffer commands, uint32_t units, const
 void VulkanContext::record(VkCommandBuffer commands, const Geometry& g) {
   const auto& fn = device_.fn();
   if (!g.indexed) {
-    // llvmpipe looks for rectangles in lists of exactly nine vertices, and draws nothing at all when the last
-    // triangle is a point.
     const bool nine = g.count / 3 == 3 && wanted_.fixed.topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    const uint32_t apart = nine && device_.caps().isCpu ? 3 : 0;
+    const uint32_t apart = nine && device_.quirks().losesNineVertices ? 3 : 0;
     if (apart) fn.vkCmdDraw(commands, 6, 1, g.first, 0);
     fn.vkCmdDraw(commands, apart ? apart : g.count, 1, g.first + (apart ? 6 : 0), 0);
     return;

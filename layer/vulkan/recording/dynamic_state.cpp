@@ -1,6 +1,7 @@
 // What a draw sends as dynamic state: only what changed.
 #include <cstring>
 
+#include "layer/vulkan/device/device.h"
 #include "layer/vulkan/pipelines/draw_state.h"
 
 namespace anteroom::vulkan {
@@ -8,14 +9,14 @@ namespace {
 
 class Emitter {
  public:
-  Emitter(const VolkDeviceTable& fn, VkCommandBuffer commands, const DrawState& wanted, const DrawState& sent,
-          bool all)
-      : fn_(fn), commands_(commands), wanted_(wanted), sent_(sent), all_(all) {}
+  Emitter(const VulkanDevice& device, VkCommandBuffer commands, const DrawState& wanted,
+          const DrawState& sent, bool all)
+      : device_(device), fn_(device.fn()), commands_(commands), wanted_(wanted), sent_(sent), all_(all) {}
 
   void core();
   void first();
   void second();
-  void third(const Features& features, uint32_t samples);
+  void third(uint32_t samples);
 
  private:
   template <class... Member>
@@ -27,6 +28,7 @@ class Emitter {
     return all_ || ((wanted_.fixed.*member != sent_.fixed.*member) || ...);
   }
 
+  const VulkanDevice& device_;
   const VolkDeviceTable& fn_;
   const VkCommandBuffer commands_;
   const DrawState& wanted_;
@@ -77,13 +79,13 @@ void Emitter::second() {
   if (differs(&BakedState::logicOp)) fn_.vkCmdSetLogicOpEXT(commands_, static_cast<VkLogicOp>(w.logicOp));
 }
 
-void Emitter::third(const Features& features, uint32_t samples) {
+void Emitter::third(uint32_t samples) {
   const BakedState& w = wanted_.fixed;
-  const bool logic = differs(&BakedState::logicOp, &BakedState::logicOpEnable);
+  const bool logic =
+      device_.quirks().logicOpNeedsBlend && differs(&BakedState::logicOp, &BakedState::logicOpEnable);
   if (differs(&BakedState::logicOpEnable)) fn_.vkCmdSetLogicOpEnableEXT(commands_, w.logicOpEnable);
   const VkBool32 blend = w.blend;
   if (differs(&BakedState::blend)) fn_.vkCmdSetColorBlendEnableEXT(commands_, 0, 1, &blend);
-  // Some drivers take up a new logic op only with the blend equation after it.
   if (logic || differs(&BakedState::srcRgb, &BakedState::dstRgb, &BakedState::opRgb, &BakedState::srcAlpha,
                        &BakedState::dstAlpha, &BakedState::opAlpha)) {
     const VkColorBlendEquationEXT equation{
@@ -96,7 +98,7 @@ void Emitter::third(const Features& features, uint32_t samples) {
   if (differs(&BakedState::writeMask)) fn_.vkCmdSetColorWriteMaskEXT(commands_, 0, 1, &mask);
   if (differs(&BakedState::alphaToCoverage))
     fn_.vkCmdSetAlphaToCoverageEnableEXT(commands_, w.alphaToCoverage);
-  if (features.alphaToOne && differs(&BakedState::alphaToOne))
+  if (device_.features().alphaToOne && differs(&BakedState::alphaToOne))
     fn_.vkCmdSetAlphaToOneEnableEXT(commands_, w.alphaToOne);
   if (differs(&BakedState::lineMode))
     fn_.vkCmdSetLineRasterizationModeEXT(commands_, static_cast<VkLineRasterizationModeEXT>(w.lineMode));
@@ -107,13 +109,14 @@ void Emitter::third(const Features& features, uint32_t samples) {
 
 }  // namespace
 
-void emit(const VolkDeviceTable& fn, VkCommandBuffer commands, const Features& features, uint32_t samples,
-          const DrawState& wanted, DrawState& sent, bool all) {
-  Emitter emitter(fn, commands, wanted, sent, all);
+void emit(const VulkanDevice& device, VkCommandBuffer commands, uint32_t samples, const DrawState& wanted,
+          DrawState& sent, bool all) {
+  const Features& features = device.features();
+  Emitter emitter(device, commands, wanted, sent, all);
   emitter.core();
   if (features.dynamicState1) emitter.first();
   if (features.dynamicState2) emitter.second();
-  if (features.dynamicState3) emitter.third(features, samples);
+  if (features.dynamicState3) emitter.third(samples);
   sent = wanted;
 }
 

@@ -87,8 +87,7 @@ bool PassEncoder::begin(const Target& target, bool withDepth) {
   target_ = target;
   attached_ = attached;
   if (attached.resolve) follow();
-  // Mesa's CPU driver resolves into the first layer, whatever the view says.
-  if (target.resolveLayer != 0) attached_.resolveView = VK_NULL_HANDLE;
+  if (target.resolveLayer != 0 && device_.quirks().resolvesFirstLayer) attached_.resolveView = VK_NULL_HANDLE;
   formats_ = {attached.color ? attached.color->format : VK_FORMAT_UNDEFINED,
               attached.depth ? attached.depth->format : VK_FORMAT_UNDEFINED,
               static_cast<uint32_t>(target.samples)};

@@ -157,7 +157,7 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
   auto store = std::make_shared<ImageStore>(device_);
   VkImageCreateInfo info = imageInfo(desc_, format_, samples);
   bool linear = false;
-  if (device_.caps().isCpu && format_.linear && samples == 1) {
+  if (device_.isCpu() && format_.linear && samples == 1) {
     info.tiling = VK_IMAGE_TILING_LINEAR;
     linear = fits(device_.physical(), info);
   }

@@ -150,7 +150,7 @@ VkResult VulkanWindow::renewSwapchain() {
   // One on the screen, one that is drawn, and one that the program draws to meanwhile.
   desc.images = std::max(can.minImageCount + 1, 3u);
   if (can.maxImageCount != 0) desc.images = std::min(desc.images, can.maxImageCount);
-  desc.presentsBeside = device_.caps().isCpu && desc.images > can.minImageCount;
+  desc.presentsBeside = device_.isCpu() && desc.images > can.minImageCount;
   if (desc.extent.width == 0 || desc.extent.height == 0) {
     swapchain_.reset();
     return VK_SUCCESS;
