@@ -11,34 +11,35 @@
 #include "gen/combiner.h"
 #include "gen/gen.h"
 #include "gen/reduce.h"
+#include "gen/words.h"
 
 namespace anteroom::gen {
 namespace {
 
 using Words = std::span<const std::string_view>;
 
-constexpr std::string_view kFetchWords[] = {"unread", "constant", "float", "fixed",       "fixed-w1",
-                                            "int",    "int-w1",   "uint",  "normed-byte", "normed-short"};
-constexpr std::string_view kAttributeWords[] = {"position", "normal", "color",  "size",   "coord0",
-                                                "coord1",   "coord2", "coord3", "coord4", "coord5",
-                                                "coord6",   "coord7", "index",  "weight"};
-constexpr std::string_view kColorWords[] = {"none", "unlit", "lit"};
-constexpr std::string_view kPointSizeWords[] = {"none", "1", "constant", "varying"};
-constexpr std::string_view kPointShapeWords[] = {"square", "smooth", "samples"};
-constexpr std::string_view kCoordinateWords[] = {"none", "st", "stq", "str", "strq", "point"};
-constexpr std::string_view kTexGenWords[] = {"none", "reflection", "normal"};
-constexpr std::string_view kTargetWords[] = {"none", "2d", "cube", "3d"};
-constexpr std::string_view kEdgeWords[] = {"none", "texel", "half", "whole", "hard"};
-constexpr std::string_view kFogWords[] = {"none", "linear", "exp", "exp2"};
-constexpr std::string_view kAlphaTestWords[] = {"always", "never",   "less",     "equal",
-                                                "lequal", "greater", "notequal", "gequal"};
-constexpr std::string_view kFunctionWords[] = {"keep",        "replace",           "modulate",        "add",
-                                               "addsigned",   "interpolate",       "subtract",        "dot3",
-                                               "modulateadd", "modulatesignedadd", "modulatesubtract"};
-constexpr std::string_view kSourceWords[] = {
-    "previous", "primary",  "constant", "0",        "1",        "texture0", "texture1", "texture2",
-    "texture3", "texture4", "texture5", "texture6", "texture7", "fog",      "output0",  "output1",
-    "output2",  "output3",  "output4",  "output5",  "output6",  "output7"};
+constexpr auto kFetchWords = wordsTo<Fetch::Last>("unread", "constant", "float", "fixed", "fixed-w1", "int",
+                                                  "int-w1", "uint", "normed-byte", "normed-short");
+constexpr auto kAttributeWords =
+    wordsTo<kAttributeCount - 1>("position", "normal", "color", "size", "coord0", "coord1", "coord2",
+                                 "coord3", "coord4", "coord5", "coord6", "coord7", "index", "weight");
+constexpr auto kColorWords = wordsTo<VertexColor::Last>("none", "unlit", "lit");
+constexpr auto kPointSizeWords = wordsTo<PointSize::Last>("none", "1", "constant", "varying");
+constexpr auto kPointShapeWords = wordsTo<PointShape::Last>("square", "smooth", "samples");
+constexpr auto kCoordinateWords = wordsTo<Coordinate::Last>("none", "st", "stq", "str", "strq", "point");
+constexpr auto kTexGenWords = wordsTo<TexGen::Last>("none", "reflection", "normal");
+constexpr auto kTargetWords = wordsTo<TextureTarget::Last>("none", "2d", "cube", "3d");
+constexpr auto kEdgeWords = wordsTo<MirroredEdge::Last>("none", "texel", "half", "whole", "hard");
+constexpr auto kFogWords = wordsTo<FogMode::Last>("none", "linear", "exp", "exp2");
+constexpr auto kAlphaTestWords =
+    wordsTo<AlphaTest::Last>("always", "never", "less", "equal", "lequal", "greater", "notequal", "gequal");
+constexpr auto kFunctionWords =
+    wordsTo<Function::Last>("keep", "replace", "modulate", "add", "addsigned", "interpolate", "subtract",
+                            "dot3", "modulateadd", "modulatesignedadd", "modulatesubtract");
+constexpr auto kSourceWords =
+    wordsTo<Source::Last>("previous", "primary", "constant", "0", "1", "texture0", "texture1", "texture2",
+                          "texture3", "texture4", "texture5", "texture6", "texture7", "fog", "output0",
+                          "output1", "output2", "output3", "output4", "output5", "output6", "output7");
 
 // A field of one byte: its name, a number after the name (or -1), and its values, as words or as a range from
 // 0.

@@ -1,6 +1,7 @@
 // What a shader is made from: the least that the picture depends on, as plain bytes. Two states with equal
 // keys share their shaders. Keys are made by canonicalise* (gen/gen.h), compared whole, and durable: they are
-// what the shader cache stores.
+// what the shader cache stores. `Last` is the last value of an enumeration: it tells how many words it has as
+// text (gen/describe.cpp).
 #pragma once
 
 #include <array>
@@ -27,7 +28,8 @@ enum class Source : uint8_t {
   TextureLast = Texture0 + kMaxTextureUnits - 1,
   Fog,
   Output0,
-  OutputLast = Output0 + kMaxTextureUnits - 1
+  OutputLast = Output0 + kMaxTextureUnits - 1,
+  Last = OutputLast
 };
 constexpr Source textureSource(int unit) {
   return static_cast<Source>(static_cast<int>(Source::Texture0) + unit);
@@ -56,7 +58,8 @@ enum class Function : uint8_t {
   Dot3,
   ModulateAdd,
   ModulateSignedAdd,
-  ModulateSubtract
+  ModulateSubtract,
+  Last = ModulateSubtract
 };
 
 // Unused arguments are zero. In an alpha combiner, Dot3 stands for DOT3_RGBA and has the arguments of the
@@ -68,7 +71,7 @@ struct Combiner {
 };
 
 // What a unit's coordinates are made of. Without q it is 1; Point: the point sprite's own.
-enum class Coordinate : uint8_t { None, St, Stq, Str, Strq, Point };
+enum class Coordinate : uint8_t { None, St, Stq, Str, Strq, Point, Last = Point };
 
 struct FragmentUnit {
   TextureTarget target;  // None: not sampled
@@ -77,11 +80,21 @@ struct FragmentUnit {
   Combiner rgb, alpha;
 };
 
-enum class FogMode : uint8_t { None, Linear, Exp, Exp2 };
-enum class AlphaTest : uint8_t { Always, Never, Less, Equal, LessEqual, Greater, NotEqual, GreaterEqual };
+enum class FogMode : uint8_t { None, Linear, Exp, Exp2, Last = Exp2 };
+enum class AlphaTest : uint8_t {
+  Always,
+  Never,
+  Less,
+  Equal,
+  LessEqual,
+  Greater,
+  NotEqual,
+  GreaterEqual,
+  Last = GreaterEqual
+};
 // Square: all that is rasterised. Smooth: a circle whose coverage goes into alpha (section 3.3.1).
 // RoundSamples: a circle by samples (multisampling).
-enum class PointShape : uint8_t { Square, Smooth, RoundSamples };
+enum class PointShape : uint8_t { Square, Smooth, RoundSamples, Last = RoundSamples };
 
 struct FragmentKey {
   std::array<FragmentUnit, kMaxTextureUnits> units;
@@ -113,12 +126,13 @@ enum class Fetch : uint8_t {
   IntW1,
   Uint,
   NormedByte,
-  NormedShort
+  NormedShort,
+  Last = NormedShort
 };
 
-enum class VertexColor : uint8_t { None, Unlit, Lit };
+enum class VertexColor : uint8_t { None, Unlit, Lit, Last = Lit };
 
-enum class TexGen : uint8_t { None, Reflection, Normal };
+enum class TexGen : uint8_t { None, Reflection, Normal, Last = Normal };
 
 struct VertexUnit {
   Coordinate output;  // None, St, Stq, Str or Strq: what the fragment stage reads
@@ -128,7 +142,7 @@ struct VertexUnit {
 };
 
 // One: gl_PointSize is 1. Constant: the derived size, from the constants. Varying: by vertex.
-enum class PointSize : uint8_t { None, One, Constant, Varying };
+enum class PointSize : uint8_t { None, One, Constant, Varying, Last = Varying };
 
 struct VertexKey {
   std::array<Fetch, kAttributeCount> fetch;

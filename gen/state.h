@@ -108,12 +108,12 @@ struct Lighting {
   std::array<Light, kMaxLights> lights;
 };
 
-enum class TextureTarget : uint8_t { None, Texture2D, CubeMap, Texture3D };
+enum class TextureTarget : uint8_t { None, Texture2D, CubeMap, Texture3D, Last = Texture3D };
 
 // EXT_texture_mirror_clamp: what becomes of a coordinate outside [-1, 1]; None: it is left to the sampler.
 // The border is transparent black. Half: filtered linearly, up to half of it is border (MIRROR_CLAMP); Whole:
 // all of it (MIRROR_CLAMP_TO_BORDER); Hard: the same, not filtered.
-enum class MirroredEdge : uint8_t { None, Texel, Half, Whole, Hard };
+enum class MirroredEdge : uint8_t { None, Texel, Half, Whole, Hard, Last = Hard };
 
 // Section 3.7.12.
 struct TextureEnv {
