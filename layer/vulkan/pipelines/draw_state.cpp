@@ -267,31 +267,28 @@ DrawStateResult translate(const render::State& state, const Target& target, cons
   return result;
 }
 
-BakedState baked(const BakedState& state, const Features& features) {
-  BakedState out = state;
+BakedState baked(const BakedState& state, const Features& f) {
+  constexpr int kPoints = 1, kLines = 2, kTriangles = 4, kEvery = kPoints | kLines | kTriangles;
   const bool lines =
       state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST || state.topology == VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
   const bool points = state.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-  if (!lines) out.lineMode = 0;
-  if (features.dynamicState1) {
+  const int drawn = points ? kPoints : lines ? kLines : kTriangles;
+  struct {
+#define BAKED_COMMAND(command, feature, ...) bool command;
+#include "layer/vulkan/pipelines/baked_state.inc"
+  } const dynamic = {
+#define BAKED_COMMAND(command, feature, ...) feature,
+#include "layer/vulkan/pipelines/baked_state.inc"
+  };
+  BakedState out = state;
+#define BAKED_PART(member, word, values, primitives, place, command) \
+  if (dynamic.command || !(drawn & (primitives))) out.member = 0;
+#include "layer/vulkan/pipelines/baked_state.inc"
+  // Where it is dynamic, pipelines still tell the kinds of primitive apart.
+  if (dynamic.topology)
     out.topology = points  ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST
                    : lines ? VK_PRIMITIVE_TOPOLOGY_LINE_LIST
                            : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-    out.cullMode = out.frontFace = 0;
-    out.depthTest = out.depthWrite = out.depthCompare = 0;
-    out.stencilTest = out.stencilCompare = out.stencilFail = out.stencilPass = out.stencilDepthFail = 0;
-  } else if (points || lines) {
-    out.cullMode = out.frontFace = 0;
-  }
-  if (features.dynamicState2)
-    out.depthBias = out.logicOp = 0;
-  else if (points || lines)
-    out.depthBias = 0;
-  if (features.dynamicState3) {
-    out.logicOpEnable = out.blend = out.srcRgb = out.dstRgb = out.opRgb = 0;
-    out.srcAlpha = out.dstAlpha = out.opAlpha = out.writeMask = 0;
-    out.alphaToCoverage = out.alphaToOne = out.lineMode = out.sampleMask = 0;
-  }
   return out;
 }
 

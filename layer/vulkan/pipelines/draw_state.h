@@ -14,17 +14,8 @@ class VulkanDevice;
 
 // State that a pipeline bakes on devices where it is not dynamic. Bytes only: hashed and compared whole.
 struct BakedState {
-  uint8_t topology = 0;
-  // VK_EXT_extended_dynamic_state
-  uint8_t cullMode = 0, frontFace = 0;
-  uint8_t depthTest = 0, depthWrite = 0, depthCompare = 0;
-  uint8_t stencilTest = 0, stencilCompare = 0, stencilFail = 0, stencilPass = 0, stencilDepthFail = 0;
-  // VK_EXT_extended_dynamic_state2
-  uint8_t depthBias = 0, logicOp = 0;
-  // VK_EXT_extended_dynamic_state3
-  uint8_t logicOpEnable = 0, blend = 0, srcRgb = 0, dstRgb = 0, opRgb = 0, srcAlpha = 0, dstAlpha = 0,
-          opAlpha = 0, writeMask = 0;
-  uint8_t alphaToCoverage = 0, alphaToOne = 0, lineMode = 0, sampleMask = 0;
+#define BAKED_PART(member, ...) uint8_t member = 0;
+#include "layer/vulkan/pipelines/baked_state.inc"
   bool operator==(const BakedState&) const = default;
 };
 static_assert(std::has_unique_object_representations_v<BakedState>);

@@ -26,16 +26,12 @@ class PipelineBuilder {
   VkGraphicsPipelineCreateInfo build(const Shader& vertex, const Shader& fragment);
 
  private:
+  void bakedState();
   void stages(const Shader& vertex, const Shader& fragment);
   void vertexInput();
   void rasterization();
-  void depthStencil();
-  void blending();
   void dynamicStates();
   void rendering();
-  void add(std::initializer_list<VkDynamicState> states) {
-    for (VkDynamicState state : states) dynamic_[dynamicCount_++] = state;
-  }
 
   const PipelineKey& key_;
   const Features& features_;
@@ -52,7 +48,7 @@ class PipelineBuilder {
   VkPipelineRasterizationLineStateCreateInfoEXT line_{
       VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_LINE_STATE_CREATE_INFO_EXT};
   VkPipelineMultisampleStateCreateInfo multisample_{VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  VkSampleMask sampleMask_ = ~0u;
+  VkSampleMask sampleMask_ = 0;
   VkPipelineDepthStencilStateCreateInfo depth_{VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   VkPipelineColorBlendAttachmentState attachment_{};
   VkPipelineColorBlendStateCreateInfo blend_{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
@@ -62,6 +58,17 @@ class PipelineBuilder {
   VkFormat colorFormat_ = VK_FORMAT_UNDEFINED;
   VkPipelineRenderingCreateInfoKHR rendering_{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO_KHR};
 };
+
+template <class Place>
+void put(Place& place, uint8_t value) {
+  place = static_cast<Place>(value);
+}
+
+void PipelineBuilder::bakedState() {
+#define BAKED_PART(member, word, values, primitives, place, command) put(place, key_.state.member);
+#include "layer/vulkan/pipelines/baked_state.inc"
+  depth_.back = depth_.front;
+}
 
 void PipelineBuilder::stages(const Shader& vertex, const Shader& fragment) {
   for (auto& stage : stages_) {
@@ -83,16 +90,11 @@ void PipelineBuilder::vertexInput() {
   input_.vertexBindingDescriptionCount = input_.vertexAttributeDescriptionCount = key_.layout.count;
   input_.pVertexBindingDescriptions = bindings_;
   input_.pVertexAttributeDescriptions = attributes_;
-  assembly_.topology = static_cast<VkPrimitiveTopology>(key_.state.topology);
   viewport_.viewportCount = viewport_.scissorCount = 1;
 }
 
 void PipelineBuilder::rasterization() {
-  const BakedState& s = key_.state;
   raster_.polygonMode = VK_POLYGON_MODE_FILL;
-  raster_.cullMode = s.cullMode;
-  raster_.frontFace = static_cast<VkFrontFace>(s.frontFace);
-  raster_.depthBiasEnable = s.depthBias;
   raster_.lineWidth = 1;
   if (features_.provokingVertexLast) {
     provoking_.provokingVertexMode = VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
@@ -100,66 +102,27 @@ void PipelineBuilder::rasterization() {
     raster_.pNext = &provoking_;
   }
   if (features_.bresenhamLines) {
-    line_.lineRasterizationMode = static_cast<VkLineRasterizationModeEXT>(s.lineMode);
     line_.pNext = raster_.pNext;
     raster_.pNext = &line_;
   }
   multisample_.rasterizationSamples = static_cast<VkSampleCountFlagBits>(key_.samples);
-  multisample_.alphaToCoverageEnable = s.alphaToCoverage;
-  multisample_.alphaToOneEnable = s.alphaToOne;
-  if (!features_.dynamicState3) {
-    sampleMask_ = s.sampleMask;
-    multisample_.pSampleMask = &sampleMask_;
-  }
-}
-
-void PipelineBuilder::depthStencil() {
-  const BakedState& s = key_.state;
-  depth_.depthTestEnable = s.depthTest;
-  depth_.depthWriteEnable = s.depthWrite;
-  depth_.depthCompareOp = static_cast<VkCompareOp>(s.depthCompare);
-  depth_.stencilTestEnable = s.stencilTest;
-  depth_.front.failOp = static_cast<VkStencilOp>(s.stencilFail);
-  depth_.front.passOp = static_cast<VkStencilOp>(s.stencilPass);
-  depth_.front.depthFailOp = static_cast<VkStencilOp>(s.stencilDepthFail);
-  depth_.front.compareOp = static_cast<VkCompareOp>(s.stencilCompare);
-  depth_.back = depth_.front;
-}
-
-void PipelineBuilder::blending() {
-  const BakedState& s = key_.state;
-  attachment_.blendEnable = s.blend;
-  attachment_.srcColorBlendFactor = static_cast<VkBlendFactor>(s.srcRgb);
-  attachment_.dstColorBlendFactor = static_cast<VkBlendFactor>(s.dstRgb);
-  attachment_.colorBlendOp = static_cast<VkBlendOp>(s.opRgb);
-  attachment_.srcAlphaBlendFactor = static_cast<VkBlendFactor>(s.srcAlpha);
-  attachment_.dstAlphaBlendFactor = static_cast<VkBlendFactor>(s.dstAlpha);
-  attachment_.alphaBlendOp = static_cast<VkBlendOp>(s.opAlpha);
-  attachment_.colorWriteMask = s.writeMask;
-  blend_.logicOpEnable = s.logicOpEnable;
-  blend_.logicOp = static_cast<VkLogicOp>(s.logicOp);
+  if (!features_.dynamicState3) multisample_.pSampleMask = &sampleMask_;
   blend_.attachmentCount = key_.colorFormat ? 1 : 0;
   blend_.pAttachments = &attachment_;
 }
 
 void PipelineBuilder::dynamicStates() {
-  add({VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_LINE_WIDTH,
-       VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_STENCIL_COMPARE_MASK,
-       VK_DYNAMIC_STATE_STENCIL_WRITE_MASK, VK_DYNAMIC_STATE_STENCIL_REFERENCE});
-  if (features_.dynamicState1)
-    add({VK_DYNAMIC_STATE_PRIMITIVE_TOPOLOGY_EXT, VK_DYNAMIC_STATE_CULL_MODE_EXT,
-         VK_DYNAMIC_STATE_FRONT_FACE_EXT, VK_DYNAMIC_STATE_DEPTH_TEST_ENABLE_EXT,
-         VK_DYNAMIC_STATE_DEPTH_WRITE_ENABLE_EXT, VK_DYNAMIC_STATE_DEPTH_COMPARE_OP_EXT,
-         VK_DYNAMIC_STATE_STENCIL_TEST_ENABLE_EXT, VK_DYNAMIC_STATE_STENCIL_OP_EXT});
-  if (features_.dynamicState2) add({VK_DYNAMIC_STATE_DEPTH_BIAS_ENABLE_EXT, VK_DYNAMIC_STATE_LOGIC_OP_EXT});
-  if (features_.dynamicState3) {
-    add({VK_DYNAMIC_STATE_LOGIC_OP_ENABLE_EXT, VK_DYNAMIC_STATE_COLOR_BLEND_ENABLE_EXT,
-         VK_DYNAMIC_STATE_COLOR_BLEND_EQUATION_EXT, VK_DYNAMIC_STATE_COLOR_WRITE_MASK_EXT,
-         VK_DYNAMIC_STATE_ALPHA_TO_COVERAGE_ENABLE_EXT, VK_DYNAMIC_STATE_SAMPLE_MASK_EXT,
-         VK_DYNAMIC_STATE_LINE_RASTERIZATION_MODE_EXT});
-    if (features_.alphaToOne) add({VK_DYNAMIC_STATE_ALPHA_TO_ONE_ENABLE_EXT});
-  }
-  if (features_.dynamicVertexInput) add({VK_DYNAMIC_STATE_VERTEX_INPUT_EXT});
+  const Features& f = features_;
+  const auto add = [this](VkDynamicState state) { dynamic_[dynamicCount_++] = state; };
+  for (VkDynamicState state :
+       {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR, VK_DYNAMIC_STATE_LINE_WIDTH,
+        VK_DYNAMIC_STATE_DEPTH_BIAS, VK_DYNAMIC_STATE_STENCIL_COMPARE_MASK,
+        VK_DYNAMIC_STATE_STENCIL_WRITE_MASK, VK_DYNAMIC_STATE_STENCIL_REFERENCE})
+    add(state);
+#define BAKED_COMMAND(command, feature, state, send) \
+  if (feature) add(VK_DYNAMIC_STATE_##state);
+#include "layer/vulkan/pipelines/baked_state.inc"
+  if (f.dynamicVertexInput) add(VK_DYNAMIC_STATE_VERTEX_INPUT_EXT);
   dynamicInfo_.dynamicStateCount = dynamicCount_;
   dynamicInfo_.pDynamicStates = dynamic_;
 }
@@ -176,11 +139,10 @@ void PipelineBuilder::rendering() {
 }
 
 VkGraphicsPipelineCreateInfo PipelineBuilder::build(const Shader& vertex, const Shader& fragment) {
+  bakedState();
   stages(vertex, fragment);
   vertexInput();
   rasterization();
-  depthStencil();
-  blending();
   dynamicStates();
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   if (features_.dynamicRendering) {

@@ -15,7 +15,7 @@ struct PipelineKey {
   uint32_t colorFormat = 0, depthFormat = 0, samples = 1;
   VertexLayout layout;  // empty where vertex input is dynamic state
   BakedState state;
-  uint8_t unused[2]{};
+  uint8_t unused[4 - sizeof(BakedState) % 4]{};  // to the next word
   bool operator==(const PipelineKey& other) const { return !std::memcmp(this, &other, sizeof other); }
 };
 static_assert(std::has_unique_object_representations_v<PipelineKey>);

@@ -6,6 +6,9 @@
 #include <charconv>
 #include <span>
 #include <string_view>
+#include <type_traits>
+
+#include "gen/words.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -13,34 +16,24 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 // By Vulkan's numbers.
-constexpr std::string_view kTopologies[] = {"points",    "lines",          "line-strip",
-                                            "triangles", "triangle-strip", "triangle-fan"};
-constexpr std::string_view kCulls[] = {"none", "front", "back", "both"};
-constexpr std::string_view kFaces[] = {"ccw", "cw"};
-constexpr std::string_view kCompares[] = {"never",   "less",     "equal",  "lequal",
-                                          "greater", "notequal", "gequal", "always"};
-constexpr std::string_view kStencilOps[] = {"keep", "zero",   "replace",   "incr",
-                                            "decr", "invert", "incr-wrap", "decr-wrap"};
-constexpr std::string_view kLogicOps[] = {
-    "clear", "and",   "and-reverse", "copy",       "and-inverted",  "noop",        "xor",  "or",
-    "nor",   "equiv", "invert",      "or-reverse", "copy-inverted", "or-inverted", "nand", "set"};
-constexpr std::string_view kFactors[] = {"0",
-                                         "1",
-                                         "src-color",
-                                         "1-src-color",
-                                         "dst-color",
-                                         "1-dst-color",
-                                         "src-alpha",
-                                         "1-src-alpha",
-                                         "dst-alpha",
-                                         "1-dst-alpha",
-                                         "constant-color",
-                                         "1-constant-color",
-                                         "constant-alpha",
-                                         "1-constant-alpha",
-                                         "src-alpha-saturate"};
-constexpr std::string_view kBlendOps[] = {"add", "subtract", "reverse-subtract", "min", "max"};
-constexpr std::string_view kLineModes[] = {"default", "rectangular", "bresenham", "smooth"};
+constexpr auto kTopologies = gen::wordsTo<VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN>(
+    "points", "lines", "line-strip", "triangles", "triangle-strip", "triangle-fan");
+constexpr auto kCulls = gen::wordsTo<VK_CULL_MODE_FRONT_AND_BACK>("none", "front", "back", "both");
+constexpr auto kFaces = gen::wordsTo<VK_FRONT_FACE_CLOCKWISE>("ccw", "cw");
+constexpr auto kCompares = gen::wordsTo<VK_COMPARE_OP_ALWAYS>("never", "less", "equal", "lequal", "greater",
+                                                              "notequal", "gequal", "always");
+constexpr auto kStencilOps = gen::wordsTo<VK_STENCIL_OP_DECREMENT_AND_WRAP>(
+    "keep", "zero", "replace", "incr", "decr", "invert", "incr-wrap", "decr-wrap");
+constexpr auto kLogicOps = gen::wordsTo<VK_LOGIC_OP_SET>(
+    "clear", "and", "and-reverse", "copy", "and-inverted", "noop", "xor", "or", "nor", "equiv", "invert",
+    "or-reverse", "copy-inverted", "or-inverted", "nand", "set");
+constexpr auto kFactors = gen::wordsTo<VK_BLEND_FACTOR_SRC_ALPHA_SATURATE>(
+    "0", "1", "src-color", "1-src-color", "dst-color", "1-dst-color", "src-alpha", "1-src-alpha", "dst-alpha",
+    "1-dst-alpha", "constant-color", "1-constant-color", "constant-alpha", "1-constant-alpha",
+    "src-alpha-saturate");
+constexpr auto kBlendOps = gen::wordsTo<VK_BLEND_OP_MAX>("add", "subtract", "reverse-subtract", "min", "max");
+constexpr auto kLineModes = gen::wordsTo<VK_LINE_RASTERIZATION_MODE_RECTANGULAR_SMOOTH_EXT>(
+    "default", "rectangular", "bresenham", "smooth");
 
 // Of an attribute of ours.
 constexpr uint32_t kMostLocation = gen::kOwnValuesLocation + gen::kMostOwnValues - 1;
@@ -98,38 +91,14 @@ constexpr Format kFormats[] = {FORMAT(R8G8B8A8_UNORM),
 // Calls visit(name, words, most, value) for every field of a byte.
 template <class State, class Visit>
 void visitFields(State& s, Visit visit) {
-  const auto words = [&](std::string_view name, auto& value, Words list) {
-    visit(name, list, static_cast<uint32_t>(list.size()) - 1, value);
+  const auto field = [&](std::string_view name, auto& value, const auto& values) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(values)>, int>)
+      visit(name, Words{}, static_cast<uint32_t>(values), value);
+    else
+      visit(name, Words(values), static_cast<uint32_t>(values.size()) - 1, value);
   };
-  const auto number = [&](std::string_view name, auto& value, uint32_t most) {
-    visit(name, Words{}, most, value);
-  };
-  words("primitive", s.topology, kTopologies);
-  words("cull", s.cullMode, kCulls);
-  words("front", s.frontFace, kFaces);
-  number("depth-test", s.depthTest, 1);
-  number("depth-write", s.depthWrite, 1);
-  words("depth-func", s.depthCompare, kCompares);
-  number("stencil-test", s.stencilTest, 1);
-  words("stencil-func", s.stencilCompare, kCompares);
-  words("stencil-fail", s.stencilFail, kStencilOps);
-  words("stencil-pass", s.stencilPass, kStencilOps);
-  words("stencil-depth-fail", s.stencilDepthFail, kStencilOps);
-  number("depth-bias", s.depthBias, 1);
-  words("logic-op", s.logicOp, kLogicOps);
-  number("logic", s.logicOpEnable, 1);
-  number("blend", s.blend, 1);
-  words("src-rgb", s.srcRgb, kFactors);
-  words("dst-rgb", s.dstRgb, kFactors);
-  words("op-rgb", s.opRgb, kBlendOps);
-  words("src-alpha", s.srcAlpha, kFactors);
-  words("dst-alpha", s.dstAlpha, kFactors);
-  words("op-alpha", s.opAlpha, kBlendOps);
-  number("write-mask", s.writeMask, 15);
-  number("alpha-to-coverage", s.alphaToCoverage, 1);
-  number("alpha-to-one", s.alphaToOne, 1);
-  words("line-mode", s.lineMode, kLineModes);
-  number("sample-mask", s.sampleMask, 255);
+#define BAKED_PART(member, word, values, primitives, place, command) field(word, s.member, values);
+#include "layer/vulkan/pipelines/baked_state.inc"
 }
 
 std::string nameOf(uint32_t format) {
