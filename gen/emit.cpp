@@ -4,11 +4,12 @@
 #include <cassert>
 
 #include "gen/snippets.h"
+#include "gen/words.h"
 
 namespace anteroom::gen {
 
 std::string_view coordinateType(Coordinate coordinate) {
-  constexpr std::string_view kTypes[] = {"", "vec2", "vec3", "vec3", "vec4", "vec2"};
+  constexpr auto kTypes = wordsTo<Coordinate::Last>("", "vec2", "vec3", "vec3", "vec4", "vec2");
   return kTypes[static_cast<int>(coordinate)];
 }
 

@@ -4,6 +4,7 @@
 #include "gen/gen.h"
 #include "gen/layout.h"
 #include "gen/reduce.h"
+#include "gen/words.h"
 
 namespace anteroom::gen {
 namespace {
@@ -149,7 +150,7 @@ void sampleMirroredEdges(const FragmentUnit& unit, int u, bool lateSwitchOver, s
 }
 
 void sampleTexture(const FragmentUnit& unit, int u, bool lateSwitchOver, Shader& shader) {
-  constexpr std::string_view kSamplers[] = {"", "sampler2D", "samplerCube", "sampler3D"};
+  constexpr auto kSamplers = wordsTo<TextureTarget::Last>("", "sampler2D", "samplerCube", "sampler3D");
   shader.declareLine("layout(set = 1, binding = {}) uniform {} unit{};", u,
                      kSamplers[static_cast<int>(unit.target)], u);
   constexpr std::array<MirroredEdge, 3> kNoEdges{};
@@ -221,7 +222,7 @@ void shapePoint(const FragmentKey& key, Shader& shader) {
 
 void alphaTest(AlphaTest test, Shader& shader) {
   if (test == AlphaTest::Always) return;
-  constexpr std::string_view kOperators[] = {"", "", "<", "==", "<=", ">", "!=", ">="};
+  constexpr auto kOperators = wordsTo<AlphaTest::Last>("", "", "<", "==", "<=", ">", "!=", ">=");
   shader.line("if (!({}(color.a, alphaScale) {} alphaReference)) discard;", shader.call("roundedAlpha"),
               kOperators[static_cast<int>(test)]);
 }
