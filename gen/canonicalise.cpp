@@ -225,9 +225,11 @@ FragmentKey canonicaliseFragment(const State& state, const Profile& profile) {
   return key;
 }
 
-VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, const Profile& profile) {
+VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, const Profile& profile,
+                             CurrentColor color) {
   VertexKey key{};
   for (int a = 0; a < kAttributeCount; ++a) key.fetch[a] = fetchOf(state, static_cast<Attribute>(a));
+  if (color == CurrentColor::OfVertices && !state.attributes[kColor].array) key.fetch[kColor] = Fetch::Float;
   if (readsPrimaryColor(fragment)) {
     key.color = VertexColor::Unlit;
     if (state.lighting.enabled) translateLighting(state, key);

@@ -20,7 +20,11 @@ Groups keyGroups();
 // Reduces the state to the least that its picture depends on. The fragment key is made first; what it does
 // not read, the vertex shader does not write.
 FragmentKey canonicaliseFragment(const State& state, const Profile& profile);
-VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, const Profile& profile);
+// Where the color comes from while there is no array of colors: the state has one for all vertices, or each
+// brings four floats.
+enum class CurrentColor : uint8_t { OfState, OfVertices };
+VertexKey canonicaliseVertex(const State& state, const FragmentKey& fragment, const Profile& profile,
+                             CurrentColor color = CurrentColor::OfState);
 
 // One line in words, and back. parse* return false, and leave `key` alone, when the text describes no valid
 // key.

@@ -140,13 +140,18 @@ class Context {
   // The device was lost: nothing that is drawn arrives any more.
   virtual bool lost() const { return false; }
 
-  // state.fixed.primitive and kGroupPrimitive are set by the caller to fit call.mode. Arrays: those enabled
-  // in state.fixed.attributes; kPosition is enabled. A read beyond a buffer's end gives zeros or any value
-  // from the same buffer, never another's memory. False: out of memory.
-  virtual bool draw(State& state, const DrawCall& call) = 0;
+  // A draw is a value: nothing of it is written to. `changed`: the groups in which `state` may differ from
+  // that of this context's last draw that returned true, wherever that one lay; all of them at the first. The
+  // caller keeps this account: a draw that returned false, or a clear, leaves it as it is.
+  //
+  // state.fixed.primitive fits call.mode. Arrays: those enabled in state.fixed.attributes; kPosition is
+  // enabled. A read beyond a buffer's end gives zeros or any value from the same buffer, never another's
+  // memory. False: out of memory.
+  virtual bool draw(const State& state, gen::Groups changed, const DrawCall& call) = 0;
 
-  // mask: GL_COLOR_BUFFER_BIT and so on. Honours scissor and write masks (section 4.2.3).
-  virtual bool clear(State& state, GLbitfield mask) = 0;
+  // mask: GL_COLOR_BUFFER_BIT and so on. Honours scissor and write masks (section 4.2.3). `changed`: as a
+  // draw in its place would be told.
+  virtual bool clear(const State& state, gen::Groups changed, GLbitfield mask) = 0;
 
   // Reads `rect` of a framebuffer, which may hang over its edges: pixels outside are left untouched in
   // memory. Rows from GL's lowest to highest, `rowPitch` bytes apart; format RGBA8 or the framebuffer's own

@@ -1,5 +1,5 @@
 // Everything that a draw or a clear depends on, as plain data. The GL front end owns one State a context,
-// writes into it, and marks the groups that it changed; a renderer reads it.
+// alone writes into it; a renderer reads it. Which groups changed is told beside it (renderer.h).
 #pragma once
 
 #include <array>
@@ -134,10 +134,6 @@ struct State {
   Rect scissor;
   ClearValues clear;
   Framebuffer framebuffer;
-
-  // Changed since the renderer last looked. The front end sets bits; the renderer clears those that it
-  // consumed.
-  gen::Groups dirty = gen::kAllGroups;
 };
 
 // glDrawArrays and glDrawElements, validated: count > 0, the mode and type are legal. Section 2.8.

@@ -31,8 +31,8 @@ class VulkanContext final : public render::Context {
   void popGroup() override;
   void mark(std::string_view text) override;
   bool lost() const override { return commands_.lost(); }
-  bool draw(render::State& state, const render::DrawCall& call) override;
-  bool clear(render::State& state, GLbitfield mask) override;
+  bool draw(const render::State& state, gen::Groups changed, const render::DrawCall& call) override;
+  bool clear(const render::State& state, gen::Groups changed, GLbitfield mask) override;
   bool readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect, render::Format format,
                   void* out, size_t rowPitch) override;
   bool upload(render::Image& image, const render::Region& region, const void* data, size_t rowPitch,
@@ -76,6 +76,7 @@ class VulkanContext final : public render::Context {
   struct Constants {
     alignas(16) std::array<std::byte, kConstantRange> data;
     uint32_t size = 0;
+    bool placed = false;  // `data` is in the stream, unless this is another recording
     uint64_t recording = 0;
     StreamPiece piece;
   };
@@ -103,29 +104,33 @@ class VulkanContext final : public render::Context {
     bool operator==(const ArrayShape&) const = default;
   };
   using ArrayShapes = std::array<ArrayShape, gen::kAttributeCount>;
+  struct NewKeys {
+    bool vertex = false, fragment = false;
+  };
 
   // batch.cpp
-  bool join(const render::State& state, const render::DrawCall& call);
+  bool join(const render::State& state, gen::Groups changed, const render::DrawCall& call);
   bool openBatch(const render::DrawCall& call, const Geometry& geometry);
   void flushBatch();
   gen::Groups harmless() const;
   bool isSmall(const render::DrawCall& call, Carried carried) const;
   bool takesList(const render::DrawCall& call) const;
   uint32_t listOf(const render::DrawCall& call, uint32_t* list) const;
-  bool appendTo(const render::State& state, const render::DrawCall& call, uint32_t& count);
-  void watch(const render::State& state, const render::DrawCall& call);
-  void carry(Carried carried);
+  bool appendTo(const render::State& state, bool moved, const render::DrawCall& call, uint32_t& count);
+  gen::Groups watch(const render::State& state, gen::Groups changed, const render::DrawCall& call);
+  gen::Groups carry(Carried carried);
 
   // draw.cpp
-  void take(render::State& state);
-  void takeTarget(const render::State& state);
-  bool takeKeys(render::State& state);
+  bool take(const render::State& state, gen::Groups changed);
+  void takeTarget(const render::State& state, gen::Groups changed);
+  bool takeKeys(const render::State& state, NewKeys& made);
   static ArrayShapes shapesOf(const gen::State& state);
-  bool keysStale(const render::State& state);
-  void takeDrawState(const render::State& state);
-  bool packConstants(const render::State& state);
-  bool pack(Constants& constants, uint32_t size, bool packed);
-  bool fetchTextures(const render::State& state);
+  bool keysStale(const render::State& state, gen::Groups changed) const;
+  void packConstants(const render::State& state, gen::Groups changed, const NewKeys& made);
+  void takeTextures(const render::State& state);
+  bool placeConstants();
+  bool place(Constants& constants, uint32_t size);
+  bool fetchTextures();
   void startBound();
   bool bindAll(VkCommandBuffer commands);
   bool bindPipeline(VkCommandBuffer commands);
@@ -194,8 +199,8 @@ class VulkanContext final : public render::Context {
   VertexFetch fetch_;
   Bound bound_;
 
-  gen::Groups stale_ = gen::kAllGroups;  // what changed since it was last looked at here
-  const render::State* state_ = nullptr;
+  bool taken_ = false;                    // what follows from the state is that of the last draw's
+  const render::State* state_ = nullptr;  // of the draw that is made
   Target target_;
   gen::FragmentKey fragmentKey_{};
   gen::VertexKey vertexKey_{};
@@ -203,8 +208,6 @@ class VulkanContext final : public render::Context {
   const Shader* fragmentShader_ = nullptr;
   gen::Blocks blocks_;
   uint32_t units_ = 0;  // sampled
-  bool arraysStale_ = true, pushStale_ = true, vertexStale_ = true, fragmentStale_ = true;
-  bool paletteStale_ = true;
   ArrayShapes shapes_{};
   Batch batch_;
   const bool carriesValues_;  // the device takes so many vertex inputs

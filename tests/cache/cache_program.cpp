@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
     scene.state.fixed.fog.enabled = wishes.fog || i & 2;
     scene.state.ops.blend = i == 3;
     scene.state.ops.blendDstRgb = scene.state.ops.blendDstAlpha = GL_ONE;
-    scene.state.dirty = gen::kAllGroups;
+    scene.changed = gen::kAllGroups;
     scene.draw(GL_TRIANGLES, 3);
   }
   // A quad by the renderer's own shaders.

@@ -18,8 +18,8 @@ struct Image : render::Image {
 };
 
 struct Renderer : render::Context {
-  bool draw(render::State&, const render::DrawCall&) override { return true; }
-  bool clear(render::State&, GLbitfield) override { return true; }
+  bool draw(const render::State&, gen::Groups, const render::DrawCall&) override { return true; }
+  bool clear(const render::State&, gen::Groups, GLbitfield) override { return true; }
   bool readPixels(const render::Framebuffer&, const render::Rect&, render::Format, void*, size_t) override {
     return true;
   }

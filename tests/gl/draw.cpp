@@ -45,10 +45,54 @@ TEST_F(DrawTest, ASecondEqualDrawFindsNothingMarked) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDrawArrays(GL_POINTS, 0, 3);
   ASSERT_EQ(draws(), 5u);
-  EXPECT_EQ(renderer().draws[1].dirty, 0u);
-  EXPECT_EQ(renderer().draws[2].dirty, 0u);
-  EXPECT_EQ(renderer().draws[3].dirty, gen::Groups{gen::kGroupCurrentColor});
-  EXPECT_EQ(renderer().draws[4].dirty, gen::Groups{gen::kGroupPrimitive});
+  EXPECT_EQ(renderer().draws[1].changed, 0u);
+  EXPECT_EQ(renderer().draws[2].changed, 0u);
+  EXPECT_EQ(renderer().draws[3].changed, gen::Groups{gen::kGroupCurrentColor});
+  EXPECT_EQ(renderer().draws[4].changed, gen::Groups{gen::kGroupPrimitive});
+}
+
+TEST_F(DrawTest, ADrawThatFailedSettlesNothing) {
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glColor4f(1, 0, 0, 1);
+  renderer().outOfMemory = true;
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
+  renderer().outOfMemory = false;
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  ASSERT_EQ(draws(), 4u);
+  EXPECT_EQ(renderer().draws[2].changed, gen::Groups{gen::kGroupCurrentColor});
+  EXPECT_EQ(renderer().draws[3].changed, 0u);
+}
+
+TEST_F(DrawTest, AClearSettlesNothing) {
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glColor4f(1, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  EXPECT_EQ(renderer().draws[1].changed, gen::Groups{gen::kGroupCurrentColor});
+}
+
+// OES_draw_texture: its state is another one, and the next draw is told so.
+TEST_F(DrawTest, ARectangleLeavesTheStateAlone) {
+  glEnable(GL_CULL_FACE);
+  glTranslatef(1, 2, 3);
+  glDrawArrays(GL_LINES, 0, 2);
+  const gen::State before = state().fixed;
+  glDrawTexiOES(1, 2, 0, 3, 4);
+  EXPECT_EQ(state().fixed.modelview, before.modelview);
+  EXPECT_EQ(state().fixed.projection, before.projection);
+  EXPECT_EQ(state().fixed.primitive, gen::PrimitiveClass::Lines);
+  EXPECT_TRUE(state().raster.cullFace);
+  glDrawArrays(GL_LINES, 0, 2);
+  ASSERT_EQ(draws(), 3u);
+  EXPECT_EQ(renderer().draws[1].primitive, gen::PrimitiveClass::Triangles);
+  for (size_t i : {1u, 2u}) {
+    EXPECT_TRUE(renderer().draws[i].changed & gen::kGroupModelview);
+    EXPECT_TRUE(renderer().draws[i].changed & gen::kGroupRaster);
+    EXPECT_TRUE(renderer().draws[i].changed & gen::kGroupPrimitive);
+    EXPECT_FALSE(renderer().draws[i].changed & gen::kGroupFog);
+  }
 }
 
 TEST_F(DrawTest, ArraysReachTheRenderer) {
@@ -124,7 +168,7 @@ TEST_F(DrawTest, AReplacedStoreIsSeenByTheNextDraw) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   ASSERT_EQ(draws(), 2u);
   EXPECT_EQ(state().arrays[gen::kPosition].buffer->size(), 200u);
-  EXPECT_TRUE(renderer().draws[1].dirty & gen::kGroupArrays);
+  EXPECT_TRUE(renderer().draws[1].changed & gen::kGroupArrays);
   glBufferData(GL_ARRAY_BUFFER, 0, nullptr, GL_STATIC_DRAW);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   EXPECT_EQ(draws(), 2u);

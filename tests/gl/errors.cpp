@@ -123,10 +123,10 @@ class ErrorTest : public GlTest {};
 TEST_F(ErrorTest, IsSetAndTheStateIsUntouched) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
-    state().dirty = 0;
+    changed() = 0;
     one.command();
     EXPECT_EQ(glGetError(), one.error);
-    EXPECT_EQ(state().dirty, 0u);
+    EXPECT_EQ(changed(), 0u);
   }
   EXPECT_TRUE(renderer().draws.empty());
   EXPECT_TRUE(renderer().clears.empty());

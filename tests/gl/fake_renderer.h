@@ -52,7 +52,8 @@ class FakeBuffer : public render::Buffer {
 
 struct Draw {
   render::DrawCall call;
-  gen::Groups dirty;
+  gen::Groups changed;
+  gen::PrimitiveClass primitive;
 };
 
 class FakeContext : public render::Context {
@@ -60,13 +61,13 @@ class FakeContext : public render::Context {
   std::vector<Draw> draws;
   std::vector<GLbitfield> clears;
   int flushes = 0, finishes = 0, uploads = 0;
+  bool outOfMemory = false;  // what draws say
 
-  bool draw(render::State& state, const render::DrawCall& call) override {
-    draws.push_back({call, state.dirty});
-    state.dirty = 0;
-    return true;
+  bool draw(const render::State& state, gen::Groups changed, const render::DrawCall& call) override {
+    draws.push_back({call, changed, state.fixed.primitive});
+    return !outOfMemory;
   }
-  bool clear(render::State&, GLbitfield mask) override {
+  bool clear(const render::State&, gen::Groups, GLbitfield mask) override {
     clears.push_back(mask);
     return true;
   }
@@ -187,6 +188,7 @@ class GlTest : public testing::Test {
   }
   FakeContext& renderer() { return static_cast<FakeContext&>(rendererOf(*context)); }
   render::State& state() { return context->state; }
+  gen::Groups& changed() { return context->changed; }
   GLint integer(GLenum name) {
     GLint value[16] = {};
     glGetIntegerv(name, value);

@@ -160,7 +160,7 @@ std::shared_ptr<render::Buffer> FakeDevice::createBuffer(size_t size, const void
   return std::make_shared<FakeBuffer>(size, data, log);
 }
 
-bool FakeContext::draw(render::State& state, const render::DrawCall&) {
+bool FakeContext::draw(const render::State& state, gen::Groups, const render::DrawCall&) {
   ++log_.draws;
   units = state.fixed.units;
   textures = state.textures;
@@ -171,12 +171,10 @@ bool FakeContext::draw(render::State& state, const render::DrawCall&) {
     const bool cube = units[i].target == gen::TextureTarget::CubeMap;
     EXPECT_EQ(textures[i].image->desc().dimension, cube ? render::Dimension::Cube : render::Dimension::Flat);
   }
-  state.dirty = 0;
   return !log_.fails();
 }
 
-bool FakeContext::clear(render::State& state, GLbitfield) {
-  state.dirty = 0;
+bool FakeContext::clear(const render::State&, gen::Groups, GLbitfield) {
   return true;
 }
 

@@ -168,18 +168,18 @@ TEST_F(MatrixTest, GetsRoundOnce) {
 }
 
 TEST_F(MatrixTest, MarksOnlyItsGroupAndOnlyChanges) {
-  state().dirty = 0;
+  changed() = 0;
   glLoadIdentity();
-  EXPECT_EQ(state().dirty, 0u);
+  EXPECT_EQ(changed(), 0u);
   glTranslatef(1, 0, 0);
-  EXPECT_EQ(state().dirty, gen::Groups{gen::kGroupModelview});
-  state().dirty = 0;
+  EXPECT_EQ(changed(), gen::Groups{gen::kGroupModelview});
+  changed() = 0;
   glPushMatrix();
   glPopMatrix();
-  EXPECT_EQ(state().dirty, 0u);
+  EXPECT_EQ(changed(), 0u);
   glMatrixMode(GL_TEXTURE);
   glScalef(2, 1, 1);
-  EXPECT_EQ(state().dirty, gen::Groups{gen::kGroupTextureMatrix});
+  EXPECT_EQ(changed(), gen::Groups{gen::kGroupTextureMatrix});
 }
 
 }  // namespace anteroom::gl::test

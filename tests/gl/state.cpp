@@ -180,22 +180,22 @@ TEST_F(StateTest, EveryCapabilitySwitches) {
     EXPECT_EQ(integer(capability), onAtFirst.count(capability) ? 1 : 0);
     glDisable(capability);
     EXPECT_FALSE(glIsEnabled(capability));
-    state().dirty = 0;
+    changed() = 0;
     glEnable(capability);
     EXPECT_TRUE(glIsEnabled(capability));
-    EXPECT_NE(state().dirty, 0u);
-    state().dirty = 0;
+    EXPECT_NE(changed(), 0u);
+    changed() = 0;
     glEnable(capability);
-    EXPECT_EQ(state().dirty, 0u);
+    EXPECT_EQ(changed(), 0u);
   }
 }
 
 TEST_F(StateTest, UnchangedStateMarksNothing) {
   const auto again = [this](auto&& command) {
     command();
-    state().dirty = 0;
+    changed() = 0;
     command();
-    EXPECT_EQ(state().dirty, 0u);
+    EXPECT_EQ(changed(), 0u);
   };
   again([] { glColor4f(0.5f, 0.5f, 0.5f, 1); });
   again([] { glBlendFunc(GL_SRC_ALPHA, GL_ONE); });

@@ -92,9 +92,8 @@ void colorChanged(const Framebuffer& framebuffer) {
 
 }  // namespace
 
-bool ReferenceContext::draw(render::State& state, const render::DrawCall& call) {
+bool ReferenceContext::draw(const render::State& state, gen::Groups, const render::DrawCall& call) {
   ++stats_.draws;
-  state.dirty = 0;
   const std::vector<int64_t> indices = elements(call);
   const VertexStage vertexStage(state);
   std::map<int64_t, Vertex> processed;
@@ -127,7 +126,7 @@ bool ReferenceContext::draw(render::State& state, const render::DrawCall& call) 
   return true;
 }
 
-bool ReferenceContext::clear(render::State& state, GLbitfield mask) {
+bool ReferenceContext::clear(const render::State& state, gen::Groups, GLbitfield mask) {
   const Framebuffer& framebuffer = state.framebuffer;
   render::Rect area{0, 0, framebuffer.width, framebuffer.height};
   if (state.scissorTest) {

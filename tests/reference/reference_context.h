@@ -8,8 +8,8 @@ namespace anteroom::reference {
 
 class ReferenceContext final : public render::Context {
  public:
-  bool draw(render::State& state, const render::DrawCall& call) override;
-  bool clear(render::State& state, GLbitfield mask) override;
+  bool draw(const render::State& state, gen::Groups changed, const render::DrawCall& call) override;
+  bool clear(const render::State& state, gen::Groups changed, GLbitfield mask) override;
   bool readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect, render::Format format,
                   void* out, size_t rowPitch) override;
   bool upload(render::Image& image, const render::Region& region, const void* data, size_t rowPitch,

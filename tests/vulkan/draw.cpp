@@ -93,7 +93,7 @@ TEST_P(Draw, DepthAppearsInTheMiddleOfAFrame) {
   scene.color(0, 1, 0);
   scene.cover(0.9f);
   scene.state.ops.depthTest = true;
-  scene.state.dirty |= gen::kGroupFragmentOps;
+  scene.changed |= gen::kGroupFragmentOps;
   scene.color(1, 0, 0);
   scene.cover(0);
   EXPECT_EQ(scene.at(8, 8), kRed);
@@ -114,7 +114,7 @@ TEST_P(Draw, StencilMasksAndMaskedClears) {
   scene.state.ops.stencilTest = true;
   scene.state.ops.stencilFunc = GL_EQUAL;
   scene.state.ops.stencilRef = 0x0f;
-  scene.state.dirty = gen::kAllGroups;
+  scene.changed = gen::kAllGroups;
   scene.color(1, 0, 0);
   scene.cover();
   EXPECT_EQ(scene.at(2, 2), kRed);
@@ -146,11 +146,11 @@ TEST_P(Draw, BlendAndLogicOp) {
   for (const auto& [op, blue] :
        {std::pair{GL_XOR, 0xf0}, std::pair{GL_COPY, 0x0f}, std::pair{GL_XOR, 0xf0}}) {
     scene.state.ops.logicOpEnabled = false;
-    scene.state.dirty |= gen::kGroupFragmentOps;
+    scene.changed |= gen::kGroupFragmentOps;
     scene.clear(GL_COLOR_BUFFER_BIT, 0, 0, 1);
     scene.state.ops.logicOpEnabled = true;
     scene.state.ops.logicOp = static_cast<GLenum>(op);
-    scene.state.dirty |= gen::kGroupFragmentOps;
+    scene.changed |= gen::kGroupFragmentOps;
     scene.color(0, 0, 15 / 255.0f, 0);
     scene.cover();
     EXPECT_EQ(scene.at(5, 5)[2], blue);
@@ -184,7 +184,7 @@ TEST_P(Draw, PolygonOffsetLiftsByTheSmallestDifference) {
     EXPECT_EQ(scene.at(8, 8), kGreen);
     scene.state.raster.polygonOffsetFill = true;
     scene.state.raster.polygonOffsetUnits = -1;
-    scene.state.dirty |= gen::kGroupRaster;
+    scene.changed |= gen::kGroupRaster;
     scene.cover(0.25f);
     EXPECT_EQ(scene.at(8, 8), kRed);
   }
@@ -260,7 +260,7 @@ TEST_P(Draw, ContextsOnTwoThreadsShareTheDevice) {
       const float green = static_cast<float>(i) / 255;
       scene.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
       scene.state.ops.depthTest = i % 2;
-      scene.state.dirty |= gen::kGroupFragmentOps;
+      scene.changed |= gen::kGroupFragmentOps;
       scene.color(red, green, 0);
       scene.cover();
       wrong += scene.at(8, 8) != Pixel{static_cast<uint8_t>(red * 255), static_cast<uint8_t>(i), 0, 255};

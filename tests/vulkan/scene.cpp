@@ -76,30 +76,35 @@ void Scene::array(gen::Attribute attribute, const float* data, int size) {
   state.fixed.attributes[attribute].type = GL_FLOAT;
   state.fixed.attributes[attribute].size = static_cast<uint8_t>(size);
   state.arrays[attribute] = {nullptr, data, static_cast<uint32_t>(size) * 4};
-  state.dirty |= gen::kGroupArrays;
+  changed |= gen::kGroupArrays;
 }
 
 void Scene::noArray(gen::Attribute attribute) {
   state.fixed.attributes[attribute].array = false;
-  state.dirty |= gen::kGroupArrays;
+  changed |= gen::kGroupArrays;
 }
 
 void Scene::color(float r, float g, float b, float a) {
   state.fixed.attributes[gen::kColor].current = {r, g, b, a};
-  state.dirty |= gen::kGroupCurrentColor;
+  changed |= gen::kGroupCurrentColor;
 }
 
 void Scene::draw(GLenum mode, int count, int first) {
   const auto primitive = mode == GL_POINTS                           ? gen::PrimitiveClass::Points
                          : mode >= GL_LINES && mode <= GL_LINE_STRIP ? gen::PrimitiveClass::Lines
                                                                      : gen::PrimitiveClass::Triangles;
-  if (primitive != state.fixed.primitive) state.dirty |= gen::kGroupPrimitive;
+  if (primitive != state.fixed.primitive) changed |= gen::kGroupPrimitive;
   state.fixed.primitive = primitive;
   render::DrawCall call;
   call.mode = mode;
   call.first = first;
   call.count = count;
-  ASSERT_TRUE(context->draw(state, call));
+  draw(call);
+}
+
+void Scene::draw(const render::DrawCall& call) {
+  ASSERT_TRUE(context->draw(state, changed, call));
+  changed = 0;
 }
 
 void Scene::cover(float z) {
@@ -110,7 +115,7 @@ void Scene::cover(float z) {
 
 void Scene::clear(GLbitfield mask, float r, float g, float b, float a) {
   state.clear.color = {r, g, b, a};
-  ASSERT_TRUE(context->clear(state, mask));
+  ASSERT_TRUE(context->clear(state, changed, mask));
 }
 
 std::vector<Pixel> Scene::read() {

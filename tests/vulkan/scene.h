@@ -35,6 +35,7 @@ struct Scene {
   void noArray(gen::Attribute attribute);
   void color(float r, float g, float b, float a = 1);
   void draw(GLenum mode, int count, int first = 0);
+  void draw(const render::DrawCall& call);
   // Covers the whole target at window depth `z` from -1 to 1.
   void cover(float z = 0);
   void clear(GLbitfield mask, float r = 0, float g = 0, float b = 0, float a = 1);
@@ -44,6 +45,7 @@ struct Scene {
   render::Device& device;
   std::unique_ptr<render::Context> context;
   render::State state;
+  gen::Groups changed = gen::kAllGroups;  // in `state` since the last draw
 };
 
 }  // namespace anteroom::test

@@ -38,13 +38,13 @@ TEST_P(Steady, FramesAllocateNothing) {
     for (int i = 0; i < 200; ++i) {
       scene.color(static_cast<float>(i) / 200, 0, 1);
       scene.state.fixed.modelview[3] = {i % 20 / 10.0 - 1, i / 20 / 5.0 - 1, 0, 1};
-      scene.state.dirty |= gen::kGroupModelview;
+      scene.changed |= gen::kGroupModelview;
       scene.array(gen::kPosition, triangle, 3);
       if (i % 2) scene.state.arrays[gen::kPosition] = {buffer.get(), nullptr, 12};
       render::DrawCall call;
       call.count = 3;
       if (i % 3 == 0) call.indexType = GL_UNSIGNED_SHORT, call.indices = indices;
-      ASSERT_TRUE(scene.context->draw(scene.state, call));
+      scene.draw(call);
     }
     scene.context->flush();
   };

@@ -61,12 +61,12 @@ void bind(Scene& scene, render::Image& image, GLenum baseFormat, GLenum minFilte
   scene.state.textures[0].image = &image;
   scene.state.textures[0].sampler.minFilter = minFilter;
   scene.state.textures[0].sampler.magFilter = GL_NEAREST;
-  scene.state.dirty |= gen::kGroupTextures;
+  scene.changed |= gen::kGroupTextures;
 }
 
 void coordinates(Scene& scene, const glm::vec3& c) {
   scene.state.fixed.attributes[gen::texCoord(0)].current = {c, 1};
-  scene.state.dirty |= gen::kGroupCurrentOther;
+  scene.changed |= gen::kGroupCurrentOther;
 }
 
 render::Framebuffer framebufferOf(const std::shared_ptr<render::Image>& image) {
@@ -132,7 +132,7 @@ TEST_P(Texels, DrawsSeeTheTexelsOfTheirTime) {
   for (int i = 0; i < 16; ++i) {
     fill(scene, *texture, {static_cast<uint8_t>(i * 10), 0, 0, 255});
     scene.state.scissor = {i, 0, 1, 16};
-    scene.state.dirty |= gen::kGroupViewport;
+    scene.changed |= gen::kGroupViewport;
     scene.cover();
   }
   const auto pixels = scene.read();
@@ -152,7 +152,7 @@ TEST_P(Texels, PartOfATextureInUse) {
     ASSERT_TRUE(scene.context->upload(*held, {0, 0, 0, 0, 0, 1, 1, 1}, green.data(), 4, 4));
     scene.state.scissorTest = true;
     scene.state.scissor = {0, 0, 8, 16};
-    scene.state.dirty |= gen::kGroupViewport;
+    scene.changed |= gen::kGroupViewport;
     scene.cover();
     EXPECT_EQ(scene.at(2, 2), green);
     EXPECT_EQ(scene.at(12, 2), (Pixel{255, 0, 0, 255}));
@@ -160,7 +160,7 @@ TEST_P(Texels, PartOfATextureInUse) {
     scene.cover();
     EXPECT_EQ(scene.at(2, 2), (Pixel{255, 0, 0, 255}));
     scene.state.scissorTest = false;
-    scene.state.dirty |= gen::kGroupViewport;
+    scene.changed |= gen::kGroupViewport;
   }
 }
 
@@ -171,21 +171,21 @@ TEST_P(Texels, RenderedTexturesAreSampled) {
   for (const float shade : {0.0f, 1.0f}) {
     scene.state.framebuffer = framebufferOf(texture);
     scene.state.fixed.units[0].target = gen::TextureTarget::None;
-    scene.state.dirty |= gen::kGroupFramebuffer | gen::kGroupTextures;
+    scene.changed |= gen::kGroupFramebuffer | gen::kGroupTextures;
     scene.color(shade, 1, 0);
     scene.cover();
     scene.state.framebuffer = window;
-    scene.state.dirty |= gen::kGroupFramebuffer;
+    scene.changed |= gen::kGroupFramebuffer;
     bind(scene, *texture, GL_RGBA);
     scene.cover();
     EXPECT_EQ(scene.at(7, 7), (Pixel{static_cast<uint8_t>(shade * 255), 255, 0, 255}));
   }
   // A clear that nothing followed is seen too.
   scene.state.framebuffer = framebufferOf(texture);
-  scene.state.dirty |= gen::kGroupFramebuffer;
+  scene.changed |= gen::kGroupFramebuffer;
   scene.clear(GL_COLOR_BUFFER_BIT, 0, 0, 1);
   scene.state.framebuffer = window;
-  scene.state.dirty |= gen::kGroupFramebuffer;
+  scene.changed |= gen::kGroupFramebuffer;
   scene.cover();
   EXPECT_EQ(scene.at(7, 7), (Pixel{0, 0, 255, 255}));
 }
@@ -224,7 +224,7 @@ TEST_P(Texels, CopiesFromTheFramebuffer) {
       other.cover();
       EXPECT_EQ(other.at(3, 3), high) << static_cast<int>(format);
       scene.context = std::move(other.context);
-      scene.state.dirty = gen::kAllGroups;
+      scene.changed = gen::kAllGroups;
     }
   }
 }

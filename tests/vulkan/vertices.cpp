@@ -39,7 +39,7 @@ void drawType(Scene& scene, GLenum type, T one) {
               inBuffer ? buffer.get() : nullptr,
               inBuffer ? reinterpret_cast<const void*>(lead) : bytes.data() + lead,
               static_cast<uint32_t>(stride)};
-          scene.state.dirty |= gen::kGroupArrays;
+          scene.changed |= gen::kGroupArrays;
           scene.draw(GL_TRIANGLES, 3);
           ASSERT_EQ(scene.at(2, 2), kWhite) << type << ' ' << size << ' ' << lead << ' ' << stride;
           ASSERT_EQ(scene.at(13, 13), kBlack) << type << ' ' << size << ' ' << lead << ' ' << stride;
@@ -77,7 +77,7 @@ TEST_P(Vertices, IndicesOfEveryType) {
         call.indexBuffer = inBuffer ? buffer.get() : nullptr;
         call.indices =
             inBuffer ? reinterpret_cast<const void*>(size) : static_cast<const std::byte*>(data) + size;
-        ASSERT_TRUE(scene.context->draw(scene.state, call));
+        scene.draw(call);
         EXPECT_EQ(scene.at(2, 2), kWhite);
         EXPECT_EQ(scene.at(13, 13), kBlack);
       }
@@ -100,7 +100,7 @@ TEST_P(Vertices, MixedSourcesAgreeOnTheVertex) {
   call.indexType = GL_UNSIGNED_SHORT;
   call.indices = indices;
   scene.clear(GL_COLOR_BUFFER_BIT);
-  ASSERT_TRUE(scene.context->draw(scene.state, call));
+  scene.draw(call);
   EXPECT_EQ(scene.at(8, 8), (Pixel{0, 255, 0, 255}));
 }
 
@@ -124,12 +124,12 @@ TEST_P(Vertices, BeyondTheEndNothingStrangeIsRead) {
                                       std::pair{4000, 3}, std::pair{35, 3}, std::pair{2, 3}}) {
     call.indices = reinterpret_cast<const void*>(static_cast<uintptr_t>(offset));
     call.count = count;
-    ASSERT_TRUE(scene.context->draw(scene.state, call));
+    scene.draw(call);
   }
   EXPECT_EQ(scene.at(2, 2), kWhite);
   // An array that begins beyond its buffer.
   scene.state.arrays[gen::kPosition].pointer = reinterpret_cast<const void*>(uintptr_t{1} << 40);
-  scene.state.dirty |= gen::kGroupArrays;
+  scene.changed |= gen::kGroupArrays;
   scene.draw(GL_TRIANGLES, 3);
   scene.read();
 }
@@ -162,7 +162,7 @@ TEST_P(Vertices, SparseIndicesIntoClientMemory) {
   call.count = 3;
   call.indexType = GL_UNSIGNED_SHORT;
   call.indices = indices;
-  ASSERT_TRUE(scene.context->draw(scene.state, call));
+  scene.draw(call);
   EXPECT_EQ(scene.at(2, 2), kWhite);
   EXPECT_EQ(scene.at(13, 13), kBlack);
 }
@@ -219,7 +219,7 @@ TEST_P(Vertices, JoinedDrawsKeepTheirMatrices) {
     gen::State& fixed = scene.state.fixed;
     fixed.modelview = glm::dmat4(0.125);
     fixed.modelview[3] = {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, 0, 1};
-    scene.state.dirty |= gen::kGroupModelview;
+    scene.changed |= gen::kGroupModelview;
     scene.color(shade(i), shade(255 - i), 0);
     scene.draw(GL_TRIANGLES, 6, 1);
   }
@@ -255,8 +255,8 @@ TEST_P(Vertices, JoinedDrawsLookLikeSingleOnes) {
       const double angle = i * .1, c = std::cos(angle) / 10, s = std::sin(angle) / 10;
       fixed.modelview = {
           {c, 0, s, 0}, {0, .1, 0, 0}, {-s, 0, c, 0}, {i % 16 / 8.0 - 1, i / 16 / 8.0 - 1, i / 300.0, 1}};
-      scene.state.dirty |= gen::kGroupModelview;
-      if (single) scene.state.dirty |= gen::kGroupRaster;
+      scene.changed |= gen::kGroupModelview;
+      if (single) scene.changed |= gen::kGroupRaster;
       scene.color(1, static_cast<float>(i % 7) / 6, .5f);
       fixed.shadeModel = mode == GL_TRIANGLE_FAN ? GL_FLAT : GL_SMOOTH;
       fixed.primitive = mode == GL_LINE_LOOP ? gen::PrimitiveClass::Lines : gen::PrimitiveClass::Triangles;
@@ -264,7 +264,7 @@ TEST_P(Vertices, JoinedDrawsLookLikeSingleOnes) {
       call.mode = mode;
       call.count = indexed ? 5 - i % 2 : mode == GL_TRIANGLES ? 3 : 4;
       if (indexed) call.indexType = GL_UNSIGNED_SHORT, call.indices = indices;
-      EXPECT_TRUE(scene.context->draw(scene.state, call));
+      scene.draw(call);
     }
     return scene.read();
   };

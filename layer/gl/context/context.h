@@ -177,7 +177,7 @@ class Context {
       reportError(code, fault, command);
   }
   void mark(gen::Groups groups) {
-    state.dirty |= groups;
+    changed |= groups;
     staleUnits |= (groups & gen::kGroupTextures) != 0;
   }
   // Stores a value and marks groups when it differs from the old one.
@@ -196,6 +196,8 @@ class Context {
   bool readFramebufferComplete();
 
   render::State state;
+  // The groups of `state` in which it may differ from what the renderer drew last.
+  gen::Groups changed = gen::kAllGroups;
   GLenum error = GL_NO_ERROR;
   render::Device& device;
   std::shared_ptr<ShareGroup> group;
@@ -248,7 +250,7 @@ class Context {
   std::array<UnitBindings, gen::kMaxTextureUnits> units;
   std::array<std::shared_ptr<Texture>, kSlotCount> defaultTextures;
   uint32_t seenTextureVersion = 0;
-  // The renderer's view of the units must be made again. state.dirty cannot say so: any call may consume it.
+  // The renderer's view of the units must be made again.
   bool staleUnits = true;
 
   ObjectTable<FenceObject> fences;  // NV_fence

@@ -21,7 +21,7 @@ GL_API void GL_APIENTRY glClear(GLbitfield mask) {
   std::optional<CommandGroup> group;
   if (c->groupsCommands) [[unlikely]]
     group.emplace(*c, "glClear", mask);
-  if (!c->renderer->clear(c->state, mask)) c->setError(GL_OUT_OF_MEMORY);
+  if (!c->renderer->clear(c->state, c->changed, mask)) c->setError(GL_OUT_OF_MEMORY);
 }
 
 GL_API void GL_APIENTRY glClearColor(GLclampf r, GLclampf g, GLclampf b, GLclampf a) {

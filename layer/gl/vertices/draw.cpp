@@ -41,7 +41,9 @@ void draw(Context& c, const render::DrawCall& call, const char* command = __buil
                       wrongState("A buffer that the draw reads is mapped", "Call glUnmapBufferOES before"),
                       command);
   prepareDraw(c);
-  if (hasArrays(c.state.fixed)) submitDraw(c, call, command);
+  if (!hasArrays(c.state.fixed)) return;
+  c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
+  submitDraw(c, c.state, 0, call, command);
 }
 
 size_t indexSize(GLenum type) {
@@ -67,12 +69,13 @@ void prepareDraw(Context& c) {
   }
 }
 
-void submitDraw(Context& c, const render::DrawCall& call, const char* command) {
-  c.set(c.state.fixed.primitive, classOf(call.mode), gen::kGroupPrimitive);
+void submitDraw(Context& c, const render::State& state, gen::Groups differs, const render::DrawCall& call,
+                const char* command) {
   std::optional<CommandGroup> group;
   if (c.groupsCommands) [[unlikely]]
     group.emplace(c, command, call);
-  if (!c.renderer->draw(c.state, call)) c.setError(GL_OUT_OF_MEMORY, {}, command);
+  if (!c.renderer->draw(state, c.changed | differs, call)) return c.setError(GL_OUT_OF_MEMORY, {}, command);
+  c.changed = differs;
 }
 
 }  // namespace anteroom::gl

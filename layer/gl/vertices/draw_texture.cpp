@@ -21,11 +21,11 @@ struct Box {
   double x, y, z, width, height;  // pixels; depth in [0, 1]
 };
 
-// What a draw of the rectangle does not look at, or sees otherwise than the program's state has it.
-constexpr gen::Groups kOverridden = gen::kGroupModelview | gen::kGroupProjection | gen::kGroupTextureMatrix |
-                                    gen::kGroupArrays | gen::kGroupLighting | gen::kGroupTextures |
-                                    gen::kGroupClipPlanes | gen::kGroupRaster | gen::kGroupViewport |
-                                    gen::kGroupPalette;
+// Groups in which the state of a rectangle's draw differs from the program's.
+constexpr gen::Groups kDiffers = gen::kGroupModelview | gen::kGroupProjection | gen::kGroupTextureMatrix |
+                                 gen::kGroupArrays | gen::kGroupLighting | gen::kGroupTextures |
+                                 gen::kGroupClipPlanes | gen::kGroupRaster | gen::kGroupViewport |
+                                 gen::kGroupPalette | gen::kGroupPrimitive;
 
 void setArray(render::State& state, int index, const void* pointer) {
   gen::AttributeState& attribute = state.fixed.attributes[static_cast<size_t>(index)];
@@ -60,12 +60,7 @@ std::array<Corner, 4> cornersOf(const Context& c, const Box& box) {
 void drawBox(Context& c, const Box& box, const char* command) {
   prepareDraw(c);
   const std::array<Corner, 4> corners = cornersOf(c, box);
-  render::State& state = c.state;
-  const gen::State fixed = state.fixed;
-  const auto arrays = state.arrays;
-  const render::Raster raster = state.raster;
-  const render::Rect viewport = state.viewport;
-
+  render::State state = c.state;
   for (gen::AttributeState& attribute : state.fixed.attributes) attribute.array = false;
   setArray(state, gen::kPosition, &corners[0].position);
   for (int unit = 0; unit < gen::kMaxTextureUnits; ++unit) {
@@ -83,20 +78,14 @@ void drawBox(Context& c, const Box& box, const char* command) {
   state.fixed.palette = nullptr;
   state.fixed.lighting.enabled = false;
   for (gen::ClipPlane& plane : state.fixed.clipPlanes) plane.enabled = false;
+  state.fixed.primitive = gen::PrimitiveClass::Triangles;
   state.raster.cullFace = state.raster.polygonOffsetFill = false;
   state.viewport = {0, 0, state.framebuffer.width, state.framebuffer.height};
 
   render::DrawCall call;
   call.mode = GL_TRIANGLE_STRIP;
   call.count = 4;
-  c.mark(kOverridden);
-  submitDraw(c, call, command);
-
-  state.fixed = fixed;
-  state.arrays = arrays;
-  state.raster = raster;
-  state.viewport = viewport;
-  c.mark(kOverridden | gen::kGroupPrimitive);
+  submitDraw(c, state, kDiffers, call, command);
 }
 
 void drawTexture(double x, double y, double z, double width, double height,

@@ -85,8 +85,8 @@ uint32_t VulkanContext::listOf(const render::DrawCall& call, uint32_t* list) con
 }
 
 // Gathers the vertices of a draw that may join the batch.
-bool VulkanContext::appendTo(const render::State& state, const render::DrawCall& call, uint32_t& count) {
-  const bool moved = stale_ & gen::kGroupArrays;
+bool VulkanContext::appendTo(const render::State& state, bool moved, const render::DrawCall& call,
+                             uint32_t& count) {
   if (takesList(call)) {
     std::array<uint32_t, kMostCarrying> list;
     count = listOf(call, list.data());
@@ -98,18 +98,18 @@ bool VulkanContext::appendTo(const render::State& state, const render::DrawCall&
 }
 
 // Appends the draw to the open batch. False: it is not of its kind.
-bool VulkanContext::join(const render::State& state, const render::DrawCall& call) {
-  if (stale_ & ~harmless() || separate(call.mode) != batch_.mode) return false;
+bool VulkanContext::join(const render::State& state, gen::Groups changed, const render::DrawCall& call) {
+  if (changed & ~harmless() || separate(call.mode) != batch_.mode) return false;
   if (call.count <= 0 || call.first < 0 || !isSmall(call, carried_)) return false;
   if (batch_.count + kMostJoined > kMostBatched) return false;
-  if (stale_ & gen::kGroupArrays && shapesOf(state.fixed) != shapes_) return false;
-  if (carried_ == Carried::Values && stale_ & blocks_.pushGroups)
+  const bool moved = changed & gen::kGroupArrays;
+  if (moved && shapesOf(state.fixed) != shapes_) return false;
+  if (carried_ == Carried::Values && changed & blocks_.pushGroups)
     gen::packPush(vertexKey_, state.fixed, push_.data());
   uint32_t count = 0;
-  if (!appendTo(state, call, count)) return false;
+  if (!appendTo(state, moved, call, count)) return false;
   batch_.count += count;
   alone_ = 0;
-  stale_ = 0;
   return true;
 }
 
@@ -141,29 +141,31 @@ void VulkanContext::flushBatch() {
 }
 
 // A program that changes matrices or the current color between small draws has them copied to each vertex, so
-// that these draws can be one. That takes a shader of its own: it must have happened often, in a row.
-void VulkanContext::watch(const render::State& state, const render::DrawCall& call) {
+// that these draws can be one. That takes a shader of its own: it must have happened often, in a row. What
+// the draw must look at again therefore.
+gen::Groups VulkanContext::watch(const render::State& state, gen::Groups changed,
+                                 const render::DrawCall& call) {
   const bool small =
       isSmall(call, carried_) || (carried_ == Carried::Nothing && isSmall(call, Carried::Values));
   if (!small || (carried_ != Carried::Nothing && ++alone_ > kMostAlone)) return carry(Carried::Nothing);
-  const gen::Groups changed = stale_ & kValueGroups;
-  const bool colorOnly = changed == gen::kGroupCurrentColor && isSmall(call, Carried::Color) &&
+  const gen::Groups values = changed & kValueGroups;
+  const bool colorOnly = values == gen::kGroupCurrentColor && isSmall(call, Carried::Color) &&
                          !state.arrays[gen::kPosition].buffer;
-  const bool values = carriesValues_ && isSmall(call, Carried::Values);
-  const bool valuesOnly = changed && !(stale_ & ~(kValueGroups | gen::kGroupArrays)) &&
-                          !(changed & (blocks_.vertexGroups | blocks_.fragmentGroups));
-  const Carried better = colorOnly ? Carried::Color : values ? Carried::Values : Carried::Nothing;
+  const bool all = carriesValues_ && isSmall(call, Carried::Values);
+  const bool valuesOnly = values && !(changed & ~(kValueGroups | gen::kGroupArrays)) &&
+                          !(values & (blocks_.vertexGroups | blocks_.fragmentGroups));
+  const Carried better = colorOnly ? Carried::Color : all ? Carried::Values : Carried::Nothing;
   valueChanges_ = valuesOnly && better > carried_ ? valueChanges_ + 1 : 0;
-  if (valueChanges_ >= valueChangesNeeded_) carry(better);
+  return valueChanges_ >= valueChangesNeeded_ ? carry(better) : 0;
 }
 
-void VulkanContext::carry(Carried carried) {
+gen::Groups VulkanContext::carry(Carried carried) {
   valueChanges_ = alone_ = 0;
-  if (carried == carried_) return;
+  if (carried == carried_) return 0;
   // To and fro costs more than it gains.
   if (carried == Carried::Nothing && valueChangesNeeded_ < (1u << 20)) valueChangesNeeded_ *= 2;
   carried_ = carried;
-  stale_ |= gen::kGroupCurrentColor | gen::kGroupPrimitive;
+  return gen::kGroupCurrentColor | gen::kGroupPrimitive;
 }
 
 }  // namespace anteroom::vulkan

@@ -23,10 +23,9 @@ constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 
 }  // namespace
 
-bool VulkanContext::clear(render::State& state, GLbitfield mask) {
+bool VulkanContext::clear(const render::State& state, gen::Groups changed, GLbitfield mask) {
   flushBatch();
-  take(state);
-  takeTarget(state);
+  takeTarget(state, changed);
   const render::Rect all{0, 0, target_.width, target_.height};
   const render::Rect rect = clipped(state.scissorTest ? state.scissor : all, target_);
   if (rect.width <= 0 || rect.height <= 0) return true;

@@ -30,51 +30,54 @@ VulkanContext::ArrayShapes VulkanContext::shapesOf(const gen::State& state) {
   return shapes;
 }
 
-void VulkanContext::take(render::State& state) {
-  stale_ |= state.dirty;
-  state.dirty = 0;
-  if (&state == state_) return;
-  state_ = &state;
-  stale_ = gen::kAllGroups;
+// Takes over what changed of the state; nothing of it is looked at again after that. False: out of memory.
+bool VulkanContext::take(const render::State& state, Groups changed) {
+  if (!taken_) changed = gen::kAllGroups;
+  NewKeys made{!taken_, !taken_};
+  taken_ = false;
+  takeTarget(state, changed);
+  if (keysStale(state, changed) && !takeKeys(state, made)) return false;
+  if (changed & kDrawStateGroups)
+    nothing_ = translate(state, target_, device_.features(), device_.limits(), wanted_).nothing;
+  packConstants(state, changed, made);
+  if (changed & gen::kGroupArrays || made.vertex)
+    fetch_.configure(state, vertexKey_, carried_, push_.data(), blocks_.pushSize);
+  if (changed & gen::kGroupTextures || made.fragment) takeTextures(state);
+  taken_ = true;
+  return true;
 }
 
-void VulkanContext::takeTarget(const render::State& state) {
-  if (!(stale_ & gen::kGroupFramebuffer)) return;
+void VulkanContext::takeTarget(const render::State& state, Groups changed) {
+  if (!(changed & gen::kGroupFramebuffer)) return;
   Target target = targetOf(state.framebuffer);
   if (!target.same(target_)) target_ = std::move(target);
 }
 
 // Whether something changed that the keys depend on. Arrays that lie elsewhere but look the same change no
 // key.
-bool VulkanContext::keysStale(const render::State& state) {
-  if (!vertexShader_ || !fragmentShader_ || stale_ & gen::keyGroups() & ~gen::kGroupArrays) return true;
-  return stale_ & gen::kGroupArrays && shapesOf(state.fixed) != shapes_;
+bool VulkanContext::keysStale(const render::State& state, Groups changed) const {
+  if (changed & gen::keyGroups() & ~gen::kGroupArrays) return true;
+  return changed & gen::kGroupArrays && shapesOf(state.fixed) != shapes_;
 }
 
-bool VulkanContext::takeKeys(render::State& state) {
+bool VulkanContext::takeKeys(const render::State& state, NewKeys& made) {
   const gen::Profile& profile = device_.caps().profile;
   shapes_ = shapesOf(state.fixed);
-  gen::AttributeState& color = state.fixed.attributes[gen::kColor];
-  const gen::AttributeState ownColor = color;
-  if (carried_ == Carried::Color && !ownColor.array) color = {true, 4, GL_FLOAT, ownColor.current};
   const gen::FragmentKey fragment = gen::canonicaliseFragment(state.fixed, profile);
-  gen::VertexKey vertex = gen::canonicaliseVertex(state.fixed, fragment, profile);
+  const auto color = carried_ == Carried::Color ? gen::CurrentColor::OfVertices : gen::CurrentColor::OfState;
+  gen::VertexKey vertex = gen::canonicaliseVertex(state.fixed, fragment, profile, color);
   vertex.ownValues = carried_ == Carried::Values;
-  color = ownColor;
-  const bool newFragment = !fragmentShader_ || !(fragment == fragmentKey_);
-  const bool newVertex = !vertexShader_ || !(vertex == vertexKey_);
-  if (!newFragment && !newVertex) return true;
-  if (newFragment) {
+  made.fragment |= !(fragment == fragmentKey_);
+  made.vertex |= !(vertex == vertexKey_);
+  if (!made.fragment && !made.vertex) return true;
+  if (made.fragment) {
     fragmentKey_ = fragment;
     fragmentShader_ = device_.shaders().get(fragment);
     units_ = gen::unitsSampled(fragment);
-    fragmentStale_ = true;
-    stale_ |= gen::kGroupTextures;
   }
-  if (newVertex) {
+  if (made.vertex) {
     vertexKey_ = vertex;
     vertexShader_ = device_.shaders().get(vertex);
-    arraysStale_ = pushStale_ = vertexStale_ = paletteStale_ = true;
   }
   blocks_ = gen::blocks(vertexKey_, fragmentKey_);
   pipeline_ = VK_NULL_HANDLE;
@@ -83,30 +86,17 @@ bool VulkanContext::takeKeys(render::State& state) {
          blocks_.paletteSize <= kConstantRange;
 }
 
-void VulkanContext::takeDrawState(const render::State& state) {
-  nothing_ = translate(state, target_, device_.features(), device_.limits(), wanted_).nothing;
-}
-
-bool VulkanContext::draw(render::State& state, const render::DrawCall& call) {
+bool VulkanContext::draw(const render::State& state, Groups changed, const render::DrawCall& call) {
   ++stats_.draws;
-  take(state);
-  if (batch_.count && join(state, call)) return true;
+  state_ = &state;
+  if (batch_.count && join(state, changed, call)) return true;
   flushBatch();
   submitEarly();
-  watch(state, call);
-  takeTarget(state);
-  if (keysStale(state) && !takeKeys(state)) return false;
-  if (stale_ & kDrawStateGroups) takeDrawState(state);
+  if (!take(state, changed | watch(state, changed, call))) return false;
   if (nothing_ || (!target_.color && !target_.depth)) return true;
 
   const VkCommandBuffer commands = commands_.commands();
-  if (!commands || !packConstants(state)) return false;
-  if (stale_ & gen::kGroupArrays || arraysStale_)
-    fetch_.configure(state, vertexKey_, carried_, push_.data(), blocks_.pushSize);
-  arraysStale_ = false;
-  if (!fetchTextures(state)) return false;
-  stale_ = 0;
-
+  if (!commands || !placeConstants() || !fetchTextures()) return false;
   Geometry geometry;
   if (!this->geometry(call, geometry)) return false;
   if (geometry.count == 0) return true;
@@ -123,56 +113,68 @@ void VulkanContext::submitEarly() {
   submit();
 }
 
-bool VulkanContext::packConstants(const render::State& state) {
-  if (pushStale_ || stale_ & blocks_.pushGroups) {
+void VulkanContext::packConstants(const render::State& state, Groups changed, const NewKeys& made) {
+  if (made.vertex || changed & blocks_.pushGroups) {
     alignas(16) std::array<std::byte, kPushRange> packed;
     gen::packPush(vertexKey_, state.fixed, packed.data());
-    if (pushStale_ || std::memcmp(packed.data(), push_.data(), blocks_.pushSize) != 0) {
+    if (made.vertex || std::memcmp(packed.data(), push_.data(), blocks_.pushSize) != 0) {
       std::memcpy(push_.data(), packed.data(), blocks_.pushSize);
       bound_.pushed = 0;
     }
-    pushStale_ = false;
   }
-  const bool vertex = vertexStale_ || stale_ & blocks_.vertexGroups;
-  const bool fragment = fragmentStale_ || stale_ & blocks_.fragmentGroups;
-  const bool palette = paletteStale_ || stale_ & blocks_.paletteGroups;
-  if (vertex && blocks_.vertexSize) gen::packVertex(vertexKey_, state.fixed, vertexConstants_.data.data());
-  if (fragment && blocks_.fragmentSize)
+  if (blocks_.vertexSize && (made.vertex || changed & blocks_.vertexGroups)) {
+    gen::packVertex(vertexKey_, state.fixed, vertexConstants_.data.data());
+    vertexConstants_.placed = false;
+  }
+  if (blocks_.fragmentSize && (made.fragment || changed & blocks_.fragmentGroups)) {
     gen::packFragment(fragmentKey_, state.fixed, fragmentConstants_.data.data());
-  if (palette && blocks_.paletteSize)
+    fragmentConstants_.placed = false;
+  }
+  if (blocks_.paletteSize && (made.vertex || changed & blocks_.paletteGroups)) {
     gen::packPalette(vertexKey_, state.fixed, paletteConstants_.data.data());
-  vertexStale_ = fragmentStale_ = paletteStale_ = false;
-  return pack(vertexConstants_, blocks_.vertexSize, vertex) &&
-         pack(fragmentConstants_, blocks_.fragmentSize, fragment) &&
-         pack(paletteConstants_, blocks_.paletteSize, palette);
+    paletteConstants_.placed = false;
+  }
+}
+
+bool VulkanContext::placeConstants() {
+  return place(vertexConstants_, blocks_.vertexSize) && place(fragmentConstants_, blocks_.fragmentSize) &&
+         place(paletteConstants_, blocks_.paletteSize);
 }
 
 // Brings a block into the stream, when it is new or this recording has not got it yet.
-bool VulkanContext::pack(Constants& constants, uint32_t size, bool packed) {
+bool VulkanContext::place(Constants& constants, uint32_t size) {
   if (size == 0) return true;
   const bool here = constants.recording == commands_.recordingId() && constants.size == size;
-  if (here && (!packed || !std::memcmp(constants.data.data(), constants.piece.mapped, size))) return true;
+  if (here && (constants.placed || !std::memcmp(constants.data.data(), constants.piece.mapped, size))) {
+    constants.placed = true;
+    return true;
+  }
   constants.piece = constants_.allocate(size, device_.limits().minUniformBufferOffsetAlignment);
   if (!constants.piece) return false;
   std::memcpy(constants.piece.mapped, constants.data.data(), size);
   constants.size = size;
+  constants.placed = true;
   constants.recording = commands_.recordingId();
   return true;
 }
 
-// The views that the draw samples. What was rendered into them is made visible, which may end the pass.
-bool VulkanContext::fetchTextures(const render::State& state) {
+void VulkanContext::takeTextures(const render::State& state) {
   for (uint32_t units = units_; units; units &= units - 1) {
     const int unit = std::countr_zero(units);
-    const bool changed = stale_ & gen::kGroupTextures;
-    if (changed) {
-      const render::TextureBinding& binding = state.textures[unit];
-      if (!binding.image) return false;
-      sampled_[unit] = {static_cast<VulkanImage*>(binding.image), binding.onlyLevel, binding.onlyLayer};
-      const int levels = binding.onlyLevel < 0 ? binding.image->desc().levels : 1;
-      samplers_[unit] = device_.samplers().get(binding.sampler, levels, state.fixed.units[unit].env.lodBias);
-    }
+    const render::TextureBinding& binding = state.textures[unit];
+    sampled_[unit] = {static_cast<VulkanImage*>(binding.image), binding.onlyLevel, binding.onlyLayer};
+    if (!binding.image) continue;
+    const int levels = binding.onlyLevel < 0 ? binding.image->desc().levels : 1;
+    samplers_[unit] = device_.samplers().get(binding.sampler, levels, state.fixed.units[unit].env.lodBias);
+  }
+}
+
+// The views that the draw samples. What was rendered into them is made visible, which may end the pass.
+bool VulkanContext::fetchTextures() {
+  for (uint32_t units = units_; units; units &= units - 1) {
+    const int unit = std::countr_zero(units);
     const Sampled& sampled = sampled_[unit];
+    if (!sampled.image) return false;
     VulkanImage& image = *sampled.image;
     if (image.pending.aspects && !materialise(image)) return false;
     ImageStore* store = readable(image);
