@@ -100,7 +100,7 @@ Context::Context(Display& owner, std::shared_ptr<render::Device> renderDevice,
 
 Context::~Context() {
   // A sync object whose context is gone counts as signaled.
-  if (fenced) gl::finish(*gl);
+  if (fenced) gl::RendererLock(*gl)->finish();
   if (render::debugOptions().stats) logStats(*this);
 }
 

@@ -70,7 +70,8 @@ Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EG
 
 void bind(Binding next) {
   watchEnd();
-  if (thread.binding != nullptr && *thread.binding == next) return gl::flush(*next.context->gl);
+  if (thread.binding != nullptr && *thread.binding == next)
+    return gl::RendererLock(*next.context->gl)->flush();
   auto binding = std::make_unique<Binding>(std::move(next));
   release();
   gl::makeCurrent(binding->context->gl.get());
@@ -99,19 +100,13 @@ void abandonBinding() {
 void useSurfaces(const Binding& binding) {
   const auto framebufferOf = [](const auto& surface) { return surface ? &surface->framebuffer() : nullptr; };
   gl::setDefaultFramebuffer(*binding.context->gl, framebufferOf(binding.draw), framebufferOf(binding.read));
-  const bool expired = binding.draw != nullptr && (binding.draw->isExpired() || binding.read->isExpired());
-  if (expired) gl::expireDefaultFramebuffer(*binding.context->gl, renewSurfaces, &binding);
 }
 
-void renewSurfaces(const Binding& binding) {
-  bool changed = false;
-  for (const auto& surface : {binding.draw, binding.read}) {
-    if (!surface->isExpired()) continue;
-    const auto former = surface->framebuffer().readable().image;
-    if (!surface->renew()) log("out of memory for the images of a window");
-    changed |= surface->framebuffer().readable().image != former;
-  }
-  if (changed) useSurfaces(binding);
+void readyWindow(const Binding& binding) {
+  render::Window* const window = binding.draw->framebuffer().window;
+  if (window == nullptr || window->isReady()) return;
+  if (!window->makeReady()) log("out of memory for the images of a window");
+  useSurfaces(binding);
 }
 
 }  // namespace anteroom::egl
@@ -179,7 +174,7 @@ EGLBoolean EGLAPIENTRY eglWaitClient() {
     Context* context = currentContext();
     if (context == nullptr) return EGL_TRUE;
     lock.unlock();
-    gl::finish(*context->gl);
+    gl::RendererLock(*context->gl)->finish();
     return EGL_TRUE;
   });
 }

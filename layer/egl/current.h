@@ -35,8 +35,8 @@ void abandonBinding();
 
 // Tells GL of the binding's framebuffers.
 void useSurfaces(const Binding& binding);
-// Readies those that have expired.
-void renewSurfaces(const Binding& binding);
+// Readies the window of the draw surface, if it is one. Its framebuffer may become another one.
+void readyWindow(const Binding& binding);
 
 // Null: none.
 inline const Binding* currentBinding() {

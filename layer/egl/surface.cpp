@@ -96,13 +96,12 @@ EGLSurface refusePixmap(EGLDisplay dpy, const char* name = __builtin_FUNCTION())
       name);
 }
 
-// The images of the next picture decide its size and age. Not under the lock: it may wait for the window
-// system.
-void renewWhereCurrent(const Surface& surface, EGLint attribute) {
+// The next picture tells the size and the age. Not under the lock: it may wait for the window system.
+void readyWhereCurrent(const Surface& surface, EGLint attribute) {
   const Binding* binding = currentBinding();
   const bool current = binding != nullptr && binding->draw.get() == &surface;
   require(current || attribute != EGL_BUFFER_AGE_EXT, EGL_BAD_SURFACE);
-  if (current) renewSurfaces(*binding);
+  if (current) readyWindow(*binding);
 }
 
 EGLint query(const Surface& surface, EGLint attribute) {
@@ -246,7 +245,7 @@ void Surface::nameImages() const {
   const auto name = [&](const render::Attachment& attachment, const char* use) {
     if (attachment.image == nullptr) return;
     char text[48];
-    std::snprintf(text, sizeof text, "%s %p %s", isWindow() ? "window" : "pbuffer", handle, use);
+    std::snprintf(text, sizeof text, "pbuffer %p %s", handle, use);
     attachment.image->setLabel(text);
   };
   name(framebuffer_.stencil, "stencil");
@@ -282,8 +281,8 @@ const render::Hud* Surface::updateHud(const Binding& binding) {
 
 void Surface::post(const Binding& binding, std::span<const render::Rect>) {
   if (const render::Hud* const picture = updateHud(binding))
-    gl::drawHud(*binding.context->gl, framebuffer_, *picture);
-  gl::flush(*binding.context->gl);
+    gl::RendererLock(*binding.context->gl)->drawHud(framebuffer_, *picture);
+  gl::RendererLock(*binding.context->gl)->flush();
 }
 
 bool Surface::setMipmapLevel(EGLint level) {
@@ -342,7 +341,7 @@ EGLBoolean EGLAPIENTRY eglQuerySurface(EGLDisplay dpy, EGLSurface surface, EGLin
     require(value != nullptr, EGL_BAD_PARAMETER);
     if (attribute == EGL_WIDTH || attribute == EGL_HEIGHT || attribute == EGL_BUFFER_AGE_EXT) {
       lock.unlock();
-      renewWhereCurrent(*found, attribute);
+      readyWhereCurrent(*found, attribute);
     }
     const EGLint answer = query(*found, attribute);
     if (!found->isWindow() || !isOfPbuffers(attribute)) *value = answer;

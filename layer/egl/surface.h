@@ -47,12 +47,8 @@ class Surface {
 
   // Creates the images when they are first needed. False: out of memory.
   virtual bool allocate();
-  // A window's images are others after each picture: renew() waits for those of the next one. False: out of
-  // memory.
-  virtual bool isExpired() const { return false; }
-  virtual bool renew() { return true; }
   // After allocate().
-  const render::Framebuffer& framebuffer() const { return framebuffer_; }
+  virtual const render::Framebuffer& framebuffer() const { return framebuffer_; }
   virtual EGLint width() const { return attributes.width; }
   virtual EGLint height() const { return attributes.height; }
   virtual bool isWindow() const { return false; }
@@ -62,7 +58,7 @@ class Surface {
   virtual void post(const Binding& binding, std::span<const render::Rect> damage);
   virtual void setSwapBehavior(EGLint behavior) { attributes.swapBehavior = behavior; }
   virtual void setSwapInterval(EGLint) {}
-  // EGL_BUFFER_AGE_EXT of a surface that has not expired.
+  // EGL_BUFFER_AGE_EXT of a surface whose window is ready.
   virtual EGLint age() const { return 0; }
 
   // EGL_MIPMAP_LEVEL; takes effect at once where the surface is current, like allocate().
@@ -82,19 +78,20 @@ class Surface {
   std::weak_ptr<Context> drawnBy;  // the last context that had it as its draw surface
 
  protected:
-  // Depth and stencil of `next`, as large as it is. False: out of memory.
-  bool createDepthStencil(render::Framebuffer& next) const;
-  void nameImages() const;
   // The HUD of the frame that ends now. Null: none.
   const render::Hud* updateHud(const Binding& binding);
   bool hasHud() const { return hud_ != nullptr; }
 
   const std::shared_ptr<render::Device> device_;
-  render::Framebuffer framebuffer_;
 
  private:
   EGLint levels() const;
   bool createImages();
+  // Depth and stencil of `next`, as large as it is. False: out of memory.
+  bool createDepthStencil(render::Framebuffer& next) const;
+  void nameImages() const;
+
+  render::Framebuffer framebuffer_;
 
   // The color image as a texture has it: alive as long as any texture holds it.
   std::weak_ptr<render::Image> loan_;

@@ -48,9 +48,9 @@ void completeDrawing(const Surface& surface) {
   const auto last = surface.drawnBy.lock();
   if (last == nullptr) return;
   if (last->thread == &thisThread()) {
-    gl::flush(*last->gl);
+    gl::RendererLock(*last->gl)->flush();
   } else if (last->thread == nullptr) {
-    gl::finish(*last->gl);
+    gl::RendererLock(*last->gl)->finish();
   }
 }
 

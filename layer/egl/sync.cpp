@@ -59,7 +59,7 @@ EGLBoolean getSyncAttribute(EGLDisplay dpy, EGLSync sync, EGLint attribute, Inte
 }  // namespace
 
 FenceSync::FenceSync(const std::shared_ptr<Context>& context)
-    : context_(context), fence_(gl::insertFence(*context->gl)) {
+    : context_(context), fence_(gl::RendererLock(*context->gl)->insertFence()) {
   context->fenced = true;
 }
 
@@ -136,7 +136,8 @@ EGLint EGLAPIENTRY eglClientWaitSync(EGLDisplay dpy, EGLSync sync, EGLint flags,
     const auto found = initializedDisplay(dpy).sync(sync);
     // A fence was flushed when it was inserted.
     const bool flush = (flags & EGL_SYNC_FLUSH_COMMANDS_BIT) != 0 && found->type() != EGL_SYNC_FENCE;
-    if (flush && currentContext() != nullptr && !found->wait(lock, 0)) gl::flush(*currentContext()->gl);
+    if (flush && currentContext() != nullptr && !found->wait(lock, 0))
+      gl::RendererLock(*currentContext()->gl)->flush();
     return found->wait(lock, timeout) ? EGL_CONDITION_SATISFIED : EGL_TIMEOUT_EXPIRED;
   });
 }

@@ -3,6 +3,7 @@
 #include <EGL/eglext.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <utility>
 
 #include "layer/egl/attributes.h"
@@ -13,50 +14,57 @@
 
 namespace anteroom::egl {
 
+namespace {
+
+std::unique_ptr<render::Window> createWindow(render::Device& device, const Config& config,
+                                             const SurfaceAttributes& attributes, const NativeWindow& native,
+                                             const render::WindowOwner& owner) {
+  render::WindowDesc desc;
+  desc.native = native.handle();
+  desc.owner = &owner;
+  desc.format = colorFormat(config, attributes);
+  desc.depth = config.depth;
+  desc.stencil = config.stencil;
+  desc.samples = std::max(1, config.samples);
+  desc.translucent =
+      native.isTranslucent() && !attributes.presentOpaque && render::info(desc.format).alpha != 0;
+  auto window = device.createWindow(desc);
+  require(window != nullptr, render::isSrgb(desc.format) ? EGL_BAD_MATCH : EGL_BAD_ALLOC);
+  return window;
+}
+
+}  // namespace
+
 WindowSurface::WindowSurface(const Display& owner, std::shared_ptr<render::Device> device,
                              const Config& withConfig, const SurfaceAttributes& withAttributes,
-                             std::unique_ptr<NativeWindow> native, std::unique_ptr<render::Window> window)
+                             std::unique_ptr<NativeWindow> native)
     : Surface(owner, std::move(device), withConfig, withAttributes, createHud(true)),
       native_(std::move(native)),
-      window_(std::move(window)) {}
+      window_(createWindow(*device_, withConfig, withAttributes, *native_, *this)) {}
 
 bool WindowSurface::allocate() {
-  if (framebuffer_.width != 0) return true;
-  const bool allocated = renew();
-  expired_ = true;  // until something is drawn, the size may still become another
+  if (window_->framebuffer().width != 0) return true;
+  char name[32];
+  std::snprintf(name, sizeof name, "window %p", handle);
+  window_->setLabel(name);
+  const bool allocated = window_->makeReady();
+  window_->expire();  // until something is drawn, the size may still become another
   return allocated;
 }
 
-bool WindowSurface::renew() {
-  if (!native_->isThere()) window_->lose();
-  window_->setInterval(native_->isPaced() ? 0 : interval_.load());
-  window_->setPreserved(preserved_);
-  EGLint width = 0, height = 0;
-  if (native_->isSizedByProgram()) native_->size(width, height);
-  if (!window_->acquire(width, height)) return false;
-  expired_ = false;
-  if (framebuffer_.readable().image == window_->image()) return true;
-
-  const std::shared_ptr<render::Image>& image = window_->image();
-  render::Framebuffer next;
-  next.yDown = true;
-  next.samples = std::max(1, config.samples);
-  next.width = image->desc().width;
-  next.height = image->desc().height;
-  if (window_->samples() != nullptr) next.resolve.image = image;
-  next.color.image = window_->samples() != nullptr ? window_->samples() : image;
-  if (!createDepthStencil(next)) return false;
-  framebuffer_ = next;
-  nameImages();
-  size_[0] = next.width;
-  size_[1] = next.height;
-  return true;
+render::PictureWish WindowSurface::wish() const {
+  render::PictureWish wish;
+  wish.there = native_->isThere();
+  wish.interval = native_->isPaced() ? 0 : interval_.load();
+  wish.preserved = preserved_;
+  if (native_->isSizedByProgram()) native_->size(wish.width, wish.height);
+  return wish;
 }
 
 EGLint WindowSurface::size(int axis) const {
   EGLint native[2];
-  if (expired_ && native_->size(native[0], native[1])) return native[axis];
-  return size_[axis];
+  if (!window_->isReady() && native_->size(native[0], native[1])) return native[axis];
+  return axis == 0 ? window_->width() : window_->height();
 }
 
 void WindowSurface::setSwapBehavior(EGLint behavior) {
@@ -70,24 +78,16 @@ EGLint WindowSurface::age() const {
 }
 
 void WindowSurface::post(const Binding& binding, std::span<const render::Rect> damage) {
-  renewSurfaces(binding);  // a picture that nobody drew is shown, too
   gl::Context& context = *binding.context->gl;
-  if (!native_->isThere()) {
-    gl::flush(context);
-    window_->lose();
-  }
-  window_->setPreserved(preserved_);
   if (native_->isThere() && native_->isPaced()) {
-    gl::flush(context);
+    gl::RendererLock(context)->flush();
     native_->pace(interval_);
   }
   const render::Hud* const hud = updateHud(binding);
   window_->setHud(hud);
   // The HUD changes where the program did not draw.
-  const render::Presented result =
-      gl::present(context, *window_, hud == nullptr ? damage : std::span<const render::Rect>());
-  expired_ = true;
-  gl::expireDefaultFramebuffer(context, renewSurfaces, &binding);
+  if (hud != nullptr) damage = {};
+  const render::Presented result = gl::RendererLock(context)->present(*window_, damage);
   require(result != render::Presented::Lost, EGL_BAD_NATIVE_WINDOW);
   require(result != render::Presented::OutOfMemory, EGL_BAD_ALLOC);
 }
@@ -116,8 +116,8 @@ SurfaceAttributes parse(const Integer* list, const Config& config) {
 
 // `find`: makes the NativeWindow, of a window system and a visual.
 template <typename Integer, typename Find>
-EGLSurface createWindow(EGLDisplay dpy, EGLConfig handle, const Integer* list, Find find,
-                        const char* name = __builtin_FUNCTION()) {
+EGLSurface createSurface(EGLDisplay dpy, EGLConfig handle, const Integer* list, Find find,
+                         const char* name = __builtin_FUNCTION()) {
   return command<EGLSurface>(
       EGL_NO_SURFACE,
       [&](Lock&) {
@@ -126,17 +126,8 @@ EGLSurface createWindow(EGLDisplay dpy, EGLConfig handle, const Integer* list, F
         const Config& config = display.config(handle);
         require(config.window, EGL_BAD_MATCH);
         const SurfaceAttributes attributes = parse(list, config);
-        std::unique_ptr<NativeWindow> native = find(*display.windowSystem(), config.visual);
-        render::WindowDesc desc;
-        desc.native = native->handle();
-        desc.format = colorFormat(config, attributes);
-        desc.samples = std::max(1, config.samples);
-        desc.translucent =
-            native->isTranslucent() && !attributes.presentOpaque && render::info(desc.format).alpha != 0;
-        auto window = display.device()->createWindow(desc);
-        require(window != nullptr, render::isSrgb(desc.format) ? EGL_BAD_MATCH : EGL_BAD_ALLOC);
         return display.surfaces.add(std::make_shared<WindowSurface>(
-            display, display.device(), config, attributes, std::move(native), std::move(window)));
+            display, display.device(), config, attributes, find(*display.windowSystem(), config.visual)));
       },
       name);
 }
@@ -147,7 +138,7 @@ EGLSurface createPlatformWindow(EGLDisplay dpy, EGLConfig config, void* window, 
   const auto find = [&](WindowSystem& system, const Visual& visual) {
     return system.platformWindow(window, visual);
   };
-  return createWindow(dpy, config, list, find, name);
+  return createSurface(dpy, config, list, find, name);
 }
 
 }  // namespace
@@ -159,7 +150,7 @@ using namespace anteroom::egl;
 EGLSurface EGLAPIENTRY eglCreateWindowSurface(EGLDisplay dpy, EGLConfig config, EGLNativeWindowType win,
                                               const EGLint* attrib_list) {
   const auto find = [&](WindowSystem& system, const Visual& visual) { return system.window(win, visual); };
-  return createWindow(dpy, config, attrib_list, find);
+  return createSurface(dpy, config, attrib_list, find);
 }
 
 EGLSurface EGLAPIENTRY eglCreatePlatformWindowSurface(EGLDisplay dpy, EGLConfig config, void* native_window,

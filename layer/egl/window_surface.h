@@ -10,15 +10,14 @@
 
 namespace anteroom::egl {
 
-class WindowSurface final : public Surface {
+class WindowSurface final : public Surface, private render::WindowOwner {
  public:
+  // Throws EGL_BAD_MATCH, EGL_BAD_ALLOC.
   WindowSurface(const Display& display, std::shared_ptr<render::Device> device, const Config& config,
-                const SurfaceAttributes& attributes, std::unique_ptr<NativeWindow> native,
-                std::unique_ptr<render::Window> window);
+                const SurfaceAttributes& attributes, std::unique_ptr<NativeWindow> native);
 
   bool allocate() override;
-  bool isExpired() const override { return expired_; }
-  bool renew() override;
+  const render::Framebuffer& framebuffer() const override { return window_->framebuffer(); }
   EGLint width() const override { return size(0); }
   EGLint height() const override { return size(1); }
   bool isWindow() const override { return true; }
@@ -28,16 +27,15 @@ class WindowSurface final : public Surface {
   EGLint age() const override;
 
  private:
-  // Pixels: of the images, or between pictures of the native window.
+  render::PictureWish wish() const override;
+  // Pixels: of the picture, or between two of the native window.
   EGLint size(int axis) const;
 
   const std::unique_ptr<NativeWindow> native_;
-  const std::unique_ptr<render::Window> window_;  // touched by the thread where it is current
-  // What other threads may ask for and set meanwhile.
-  std::atomic<bool> expired_{true};  // the images are those of a picture that was shown
-  std::atomic<EGLint> size_[2] = {0, 0};
+  // What other threads set meanwhile.
   std::atomic<EGLint> interval_{1};
   std::atomic<bool> preserved_{false};
+  const std::unique_ptr<render::Window> window_;  // touched by the thread where it is current
 };
 
 }  // namespace anteroom::egl

@@ -4,14 +4,9 @@
 #include <GLES/gl.h>
 
 #include <memory>
-#include <span>
 #include <string_view>
 
 #include "layer/render/renderer.h"
-
-namespace anteroom::egl {
-struct Binding;  // opaque here
-}
 
 namespace anteroom::gl {
 
@@ -50,19 +45,10 @@ void abandonContexts();
 // The window-system framebuffer that name 0 means; null: none (EGL_KHR_surfaceless_context). At the first
 // call with a framebuffer in a context's life, viewport and scissor take its size (sections 2.10.1, 4.1.2).
 // It is copied; the bits that queries such as RED_BITS give come from its images. `read` (null: the same) is
-// what pixels are read and copied from.
+// what pixels are read and copied from. Those of windows are followed from picture to picture: a window
+// outlives the call that takes it away again.
 void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer,
                            const render::Framebuffer* read = nullptr);
-
-// Name 0's images no longer hold: before they are used setDefaultFramebuffer is called, by renew(surfaces).
-// For windows, which get the image of their next picture as late as may be. setDefaultFramebuffer ends it.
-void expireDefaultFramebuffer(Context& context, void (*renew)(const egl::Binding&),
-                              const egl::Binding* surfaces);
-
-// eglSwapBuffers: shows what was drawn.
-render::Presented present(Context& context, render::Window& window, std::span<const render::Rect> damage);
-// Draws over the color of a framebuffer; no state of the context changes.
-void drawHud(Context& context, const render::Framebuffer& framebuffer, const render::Hud& hud);
 
 // eglBindTexImage: `image` becomes level 0 of the texture bound to `target` in the active unit; what the
 // texture had is released. False: no context, or an unsuitable target. releaseTexImage undoes it wherever it
@@ -92,14 +78,22 @@ void shareImages(Context& context);
 // Whether another context shares objects with this one.
 bool hasCompany(const Context& context);
 
+// For what any thread may ask of it: stats(), waitFence().
 render::Context& rendererOf(Context& context);
 
-// glFlush and glFinish for EGL's waits and swaps.
-void flush(Context& context);
-void finish(Context& context);
+// The context's renderer, while no other context uses what it shares. No command of GL is called meanwhile.
+class RendererLock {
+ public:
+  explicit RendererLock(Context& context);
+  ~RendererLock();
+  RendererLock(const RendererLock&) = delete;
+  RendererLock& operator=(const RendererLock&) = delete;
+  render::Context* operator->() const;
 
-// A fence after all commands so far; they are flushed. Any thread may wait for it in rendererOf(context).
-uint64_t insertFence(Context& context);
+ private:
+  Context& context_;
+  bool group_, images_;  // the locks that are held
+};
 
 using Proc = void (*)();
 // The address of a gl* command, null when there is none of that name.

@@ -180,8 +180,8 @@ class Context {
   virtual void flush() = 0;
   virtual void finish() = 0;
 
-  // Shows what was drawn to the window's image, which must be acquired again before anything else is drawn to
-  // it. `damage`: the parts that differ from the picture before, in GL's coordinates; empty: all of it.
+  // Shows what was drawn to the window, which is not ready any more. `damage`: the parts that differ from the
+  // picture before, in GL's coordinates; empty: all of it.
   virtual Presented present(Window&, std::span<const Rect> damage) {
     static_cast<void>(damage);
     return Presented::Lost;

@@ -14,6 +14,7 @@ namespace anteroom::render {
 
 class Buffer;
 class Image;
+class Window;
 
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;  // pixels, origin at GL's lower left
@@ -39,6 +40,8 @@ struct Framebuffer {
   // Row 0 of the images is the top row (windows); otherwise it is GL's row 0, and nothing is flipped
   // anywhere.
   bool yDown = false;
+  // Whose next picture the images are (window.h): they hold while it is ready. Null: they stay.
+  Window* window = nullptr;
 
   // Where pixels are read from.
   const Attachment& readable() const { return resolve.image ? resolve : color; }

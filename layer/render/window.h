@@ -1,14 +1,14 @@
 // The seam's windows: an image that is drawn to, and shown by the window system picture for picture.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
-#include <memory>
+#include <string_view>
 
-#include "layer/render/format.h"
+#include "layer/render/state.h"
 
 namespace anteroom::render {
 
-class Image;
 struct Hud;
 
 enum class WindowSystem : uint8_t { Xcb, Wayland };
@@ -21,9 +21,29 @@ struct NativeWindow {
   uint32_t id = 0;             // xcb_window_t
 };
 
+// What the next picture of a window is to be like.
+struct PictureWish {
+  bool there = true;  // false: the native window is gone, and nobody sees what is drawn
+  int width = 0,
+      height = 0;          // pixels of the native window where its system leaves them to the program, else 0
+  int interval = 1;        // 0: it is shown at once; 1: at the next refresh of the screen
+  bool preserved = false;  // it starts with the one before
+};
+
+// Who has a window made: asked when its picture begins and when it is shown, by the thread that draws.
+class WindowOwner {
+ public:
+  virtual PictureWish wish() const = 0;
+
+ protected:
+  ~WindowOwner() = default;
+};
+
 struct WindowDesc {
   NativeWindow native;
-  Format format = Format::RGBA8;  // of 8 bits a component
+  const WindowOwner* owner = nullptr;  // never null; outlives the window
+  Format format = Format::RGBA8;       // of 8 bits a component
+  Format depth = Format::None, stencil = Format::None;
   int samples = 1;
   bool translucent = false;  // by alpha, what is behind the window shows (colors are premultiplied)
 };
@@ -34,33 +54,38 @@ enum class Presented : uint8_t {
   OutOfMemory,
 };
 
-// Belongs to one thread at a time, like the context that draws to it. The native window and its connection
-// outlive it.
+// Belongs to one thread at a time, like the context that draws to it, but for what says otherwise. The native
+// window and its connection outlive it.
 class Window {
  public:
   virtual ~Window() = default;
 
-  // Readies an image for the next picture, which waits for the window system where the interval says so.
-  // `width`, `height`: pixels of the native window where its system leaves them to the program, else 0. A
-  // window that is lost has images, too, which nobody sees. False: out of memory.
-  virtual bool acquire(int width, int height) = 0;
+  // Whether framebuffer() is that of the next picture. From any thread.
+  bool isReady() const { return ready_.load(std::memory_order_relaxed); }
+  // Readies it if it is not, which waits for the window system where the interval says so. A window that is
+  // lost has images, too, which nobody sees. False: out of memory; framebuffer() is what it was.
+  virtual bool makeReady() = 0;
+  // It is ready no longer: the picture was shown, or nothing has been drawn to it and its size may change.
+  void expire() { ready_.store(false, std::memory_order_relaxed); }
 
-  // The native window is gone: what is drawn from now on is not seen.
-  virtual void lose() = 0;
+  // Row 0 is at the top. The images are others than before when the size has changed, and only then. With
+  // samples they are resolved into an image of the window.
+  const Framebuffer& framebuffer() const { return framebuffer_; }
+  // Its size, pixels. From any thread.
+  int width() const { return width_.load(std::memory_order_relaxed); }
+  int height() const { return height_.load(std::memory_order_relaxed); }
+  // What the program calls it, for tools that look at the device.
+  virtual void setLabel(std::string_view) {}
 
-  // After acquire(): images of one sample a pixel, row 0 at the top. They are others than before when the
-  // size has changed. samples(): null without multisampling; it is resolved into image().
-  virtual const std::shared_ptr<Image>& image() const = 0;
-  virtual const std::shared_ptr<Image>& samples() const = 0;
-
-  // How many pictures ago the contents of image() were drawn; 0: never.
+  // How many pictures ago the contents of a picture that is ready were drawn; 0: never.
   virtual int age() const = 0;
-  // 0: pictures are shown at once; 1: at the next refresh of the screen.
-  virtual void setInterval(int interval) = 0;
-  // Whether the next picture starts with the one before.
-  virtual void setPreserved(bool preserved) = 0;
   // Drawn over the next picture on its way to the screen. Null: nothing is.
   virtual void setHud(const Hud*) {}
+
+ protected:
+  std::atomic<bool> ready_{false};
+  std::atomic<int> width_{0}, height_{0};
+  Framebuffer framebuffer_;
 };
 
 }  // namespace anteroom::render

@@ -191,6 +191,7 @@ class VulkanContext final : public render::Context {
   bool copyStore(const std::shared_ptr<ImageStore>& from, const std::shared_ptr<ImageStore>& to,
                  VkExtent2D extent);
   bool leaveForPresentation(const std::shared_ptr<ImageStore>& store);
+  render::Presented show(VulkanWindow& window, std::span<const render::Rect> damage);
 
   VulkanDevice& device_;
   CommandStream commands_;

@@ -84,7 +84,7 @@ Context* currentContext() {
   return currentOfThread;
 }
 void makeCurrent(Context* context) {
-  if (currentOfThread != nullptr && currentOfThread != context) flush(*currentOfThread);
+  if (currentOfThread != nullptr && currentOfThread != context) currentOfThread->renderer.flush();
   currentOfThread = context;
 }
 void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuffer,
@@ -92,8 +92,6 @@ void setDefaultFramebuffer(Context& context, const render::Framebuffer* framebuf
   context.readFramebuffer = read == nullptr ? render::Framebuffer{} : *read;
   context.framebuffer = framebuffer == nullptr ? render::Framebuffer{} : *framebuffer;
 }
-void expireDefaultFramebuffer(Context&, void (*)(const egl::Binding&), const egl::Binding*) {}
-void drawHud(Context&, const render::Framebuffer&, const render::Hud&) {}
 bool bindTexImage(Context& context, GLenum, const std::shared_ptr<render::Image>& image, bool) {
   context.texture = image;
   return true;
@@ -114,14 +112,10 @@ bool hasCompany(const Context&) {
 render::Context& rendererOf(Context& context) {
   return context.renderer;
 }
-void flush(Context& context) {
-  context.renderer.flush();
-}
-void finish(Context& context) {
-  context.renderer.finish();
-}
-uint64_t insertFence(Context& context) {
-  return context.renderer.insertFence();
+RendererLock::RendererLock(Context& context) : context_(context), group_(false), images_(false) {}
+RendererLock::~RendererLock() = default;
+render::Context* RendererLock::operator->() const {
+  return &context_.renderer;
 }
 Proc procAddress(std::string_view) {
   return nullptr;

@@ -99,20 +99,38 @@ VertexArrays initialVertexArrays() {
   return initial;
 }
 
-void Context::renewDefaultFramebuffer() {
-  const Expired how = std::exchange(expired, {});
-  how.renew(*how.surfaces);
+bool Context::hasWindowToReady() const {
+  const render::Window* const draw = defaultFramebuffer.window;
+  const render::Window* const read = defaultReadFramebuffer.window;
+  return (draw && !draw->isReady()) || (read && !read->isReady());
+}
+
+// The next picture of a window may be of another size.
+void Context::readyWindows() {
+  for (const render::Framebuffer* framebuffer : {&defaultFramebuffer, &defaultReadFramebuffer})
+    if (framebuffer->window && !framebuffer->window->makeReady()) setError(GL_OUT_OF_MEMORY);
+  bool moved = false;
+  for (render::Framebuffer* framebuffer : {&defaultFramebuffer, &defaultReadFramebuffer}) {
+    if (!framebuffer->window) continue;
+    const render::Framebuffer& next = framebuffer->window->framebuffer();
+    if (next.color.image == framebuffer->color.image) continue;
+    *framebuffer = next;
+    moved = true;
+  }
+  if (moved && !boundFramebuffer) useDefaultFramebuffer(*this);
 }
 
 bool Context::framebufferComplete() {
   if (boundFramebuffer) return resolveFramebuffer(*this);
-  if (expired.renew) renewDefaultFramebuffer();
+  if (hasWindowToReady()) [[unlikely]]
+    readyWindows();
   return hasFramebuffer;
 }
 
 bool Context::readFramebufferComplete() {
   if (boundReadFramebuffer) return resolveReadFramebuffer(*this);
-  if (expired.renew) renewDefaultFramebuffer();
+  if (hasWindowToReady()) [[unlikely]]
+    readyWindows();
   readFramebuffer = defaultReadFramebuffer;
   return hasDefaultFramebuffer;
 }

@@ -73,20 +73,28 @@ class ShareGroup {
 
 class ShareLock {
  public:
-  explicit ShareLock(ShareGroup& group) : group_(group), locked_(!enterAlone(group)) {
-    if (locked_) group.mutex.lock();
-    images_ = group.sharesImages.load(std::memory_order_acquire);
-    if (images_) sharedImagesMutex.lock();
-  }
-  ~ShareLock() {
-    if (images_) sharedImagesMutex.unlock();
-    if (locked_)
-      group_.mutex.unlock();
-    else
-      group_.inCommand.store(false, std::memory_order_release);
-  }
+  explicit ShareLock(ShareGroup& group) : group_(group), held_(lock(group)) {}
+  ~ShareLock() { unlock(group_, held_); }
   ShareLock(const ShareLock&) = delete;
   ShareLock& operator=(const ShareLock&) = delete;
+
+  struct Held {
+    bool group, images;
+  };
+  static Held lock(ShareGroup& group) {
+    const bool contended = !enterAlone(group);
+    if (contended) group.mutex.lock();
+    const bool images = group.sharesImages.load(std::memory_order_acquire);
+    if (images) sharedImagesMutex.lock();
+    return {contended, images};
+  }
+  static void unlock(ShareGroup& group, const Held& held) {
+    if (held.images) sharedImagesMutex.unlock();
+    if (held.group)
+      group.mutex.unlock();
+    else
+      group.inCommand.store(false, std::memory_order_release);
+  }
 
  private:
   // Two plain stores a command. Who makes a second context has all threads of the process see things in one
@@ -102,8 +110,7 @@ class ShareLock {
   }
 
   ShareGroup& group_;
-  const bool locked_;
-  bool images_;
+  const Held held_;
 };
 
 // Limits that queries report (Tables 6.19 to 6.21).
@@ -190,7 +197,6 @@ class Context {
 
   // Whether there is something to draw to (false: surfaceless, or an incomplete framebuffer object). Brings
   // state.framebuffer up to date. Under the ShareLock.
-  void renewDefaultFramebuffer();
   bool framebufferComplete();
   // The same for what pixels are read from, readFramebuffer.
   bool readFramebufferComplete();
@@ -208,11 +214,6 @@ class Context {
   bool hasFramebuffer = false;  // state.framebuffer is one
   bool hadFramebuffer = false;  // viewport and scissor have their initial values
   bool hasDefaultFramebuffer = false;
-  // What readies the default framebuffer's images; null: they are.
-  struct Expired {
-    void (*renew)(const egl::Binding&) = nullptr;
-    const egl::Binding* surfaces = nullptr;
-  } expired;
   render::Framebuffer defaultFramebuffer;
   render::Framebuffer defaultReadFramebuffer;
   // OES_framebuffer_object. Null: the default framebuffer, or no renderbuffer.
@@ -271,6 +272,8 @@ class Context {
 
  private:
   void reportError(GLenum code, const Fault& fault, const char* command) const;
+  bool hasWindowToReady() const;
+  void readyWindows();
 };
 
 // Makes `framebuffer` (null: none) what draws go to and, unless there is a `read`, what pixels are read from,

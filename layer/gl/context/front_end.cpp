@@ -58,7 +58,7 @@ Context* currentContext() {
 void makeCurrent(Context* context) {
   Context* former = currentContextOfThread;
   if (former == context) return;
-  if (former) flush(*former);
+  if (former) RendererLock(*former)->flush();
   currentContextOfThread = context;
 }
 
@@ -72,7 +72,6 @@ void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
   c.defaultFramebuffer = framebuffer ? *framebuffer : render::Framebuffer{};
   c.defaultReadFramebuffer = read ? *read : c.defaultFramebuffer;
   c.hasDefaultFramebuffer = framebuffer != nullptr;
-  c.expired = {};
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
   if (!framebuffer || c.hadFramebuffer) return;
   c.hadFramebuffer = true;
@@ -81,37 +80,22 @@ void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
   c.mark(gen::kGroupViewport);
 }
 
-void expireDefaultFramebuffer(Context& c, void (*renew)(const egl::Binding&), const egl::Binding* surfaces) {
-  c.expired = {renew, surfaces};
-}
-
-render::Presented present(Context& c, render::Window& window, std::span<const render::Rect> damage) {
-  ShareLock lock(*c.group);
-  return c.renderer->present(window, damage);
-}
-
-void drawHud(Context& c, const render::Framebuffer& framebuffer, const render::Hud& hud) {
-  ShareLock lock(*c.group);
-  c.renderer->drawHud(framebuffer, hud);
-}
-
 render::Context& rendererOf(Context& c) {
   return *c.renderer;
 }
 
-void flush(Context& c) {
-  ShareLock lock(*c.group);
-  c.renderer->flush();
+RendererLock::RendererLock(Context& context) : context_(context) {
+  const ShareLock::Held held = ShareLock::lock(*context.group);
+  group_ = held.group;
+  images_ = held.images;
 }
 
-void finish(Context& c) {
-  ShareLock lock(*c.group);
-  c.renderer->finish();
+RendererLock::~RendererLock() {
+  ShareLock::unlock(*context_.group, {group_, images_});
 }
 
-uint64_t insertFence(Context& c) {
-  ShareLock lock(*c.group);
-  return c.renderer->insertFence();
+render::Context* RendererLock::operator->() const {
+  return context_.renderer.get();
 }
 
 }  // namespace anteroom::gl

@@ -44,9 +44,9 @@ GL_API void GL_APIENTRY glClearStencil(GLint stencil) {
 }
 
 GL_API void GL_APIENTRY glFlush(void) {
-  if (Context* c = current()) flush(*c);
+  if (Context* c = current()) RendererLock(*c)->flush();
 }
 
 GL_API void GL_APIENTRY glFinish(void) {
-  if (Context* c = current()) finish(*c);
+  if (Context* c = current()) RendererLock(*c)->finish();
 }

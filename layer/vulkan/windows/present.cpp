@@ -41,10 +41,21 @@ bool VulkanContext::leaveForPresentation(const std::shared_ptr<ImageStore>& stor
 
 render::Presented VulkanContext::present(render::Window& target, std::span<const render::Rect> damage) {
   auto& window = static_cast<VulkanWindow&>(target);
+  // A picture that nobody drew is shown, too.
+  const render::Presented result = window.makeReady() ? show(window, damage) : render::Presented::OutOfMemory;
+  window.expire();
+  return result;
+}
+
+render::Presented VulkanContext::show(VulkanWindow& window, std::span<const render::Rect> damage) {
   VulkanImage& picture = window.drawn();
   flushBatch();
   if (picture.pending.aspects && !materialise(picture)) return render::Presented::OutOfMemory;
   pass_.end();
+  if (window.isGone()) {
+    submit();
+    window.lose();
+  }
   if (!window.shown()) {
     submit();
     return window.lost() ? render::Presented::Lost : render::Presented::Shown;

@@ -125,7 +125,7 @@ bool VulkanWindow::hasMode(VkPresentModeKHR mode) const {
 }
 
 VkPresentModeKHR VulkanWindow::mode() const {
-  if (interval_ == 0)
+  if (wish_.interval == 0)
     for (VkPresentModeKHR fast : {VK_PRESENT_MODE_IMMEDIATE_KHR, VK_PRESENT_MODE_MAILBOX_KHR})
       if (hasMode(fast)) return fast;
   return VK_PRESENT_MODE_FIFO_KHR;  // which every device has
@@ -133,8 +133,14 @@ VkPresentModeKHR VulkanWindow::mode() const {
 
 VkExtent2D VulkanWindow::nativeExtent(const VkSurfaceCapabilitiesKHR& can) const {
   if (can.currentExtent.width != UINT32_MAX) return can.currentExtent;
-  return {std::clamp(wantedWidth_, can.minImageExtent.width, can.maxImageExtent.width),
-          std::clamp(wantedHeight_, can.minImageExtent.height, can.maxImageExtent.height)};
+  const VkExtent2D wanted = wantedExtent();
+  return {std::clamp(wanted.width, can.minImageExtent.width, can.maxImageExtent.width),
+          std::clamp(wanted.height, can.minImageExtent.height, can.maxImageExtent.height)};
+}
+
+// 0 by 0: the window system knows.
+VkExtent2D VulkanWindow::wantedExtent() const {
+  return {static_cast<uint32_t>(std::max(wish_.width, 0)), static_cast<uint32_t>(std::max(wish_.height, 0))};
 }
 
 VkResult VulkanWindow::renewSwapchain() {
@@ -169,14 +175,14 @@ VkResult VulkanWindow::acquireImage() {
     suspect_ = false;
     if (!same(nativeExtent(can), swapchain_->desc().extent)) swapchain_.reset();
   }
-  const bool sized =
-      swapchain_ && (wantedWidth_ == 0 || same({wantedWidth_, wantedHeight_}, swapchain_->desc().extent));
+  const VkExtent2D wanted = wantedExtent();
+  const bool sized = swapchain_ && (wanted.width == 0 || same(wanted, swapchain_->desc().extent));
   if (!sized || mode() != swapchain_->desc().mode)
     if (const VkResult result = renewSwapchain(); result != VK_SUCCESS) return result;
   return swapchain_ && !swapchain_->acquired() ? swapchain_->acquire() : VK_SUCCESS;
 }
 
-VkResult VulkanWindow::ready() {
+VkResult VulkanWindow::acquireFitting() {
   for (int tries = 1;; ++tries) {
     const VkResult result = acquireImage();
     if (result == VK_SUBOPTIMAL_KHR) {
@@ -192,16 +198,56 @@ VkResult VulkanWindow::ready() {
   }
 }
 
-void VulkanWindow::sizeImages(VkExtent2D extent) {
+// The images of the next picture, which are those of the last when it is as large. False: out of memory.
+bool VulkanWindow::sizeImages(VkExtent2D extent) {
   render::ImageDesc desc;
   desc.format = desc_.format;
   desc.width = static_cast<int>(extent.width);
   desc.height = static_cast<int>(extent.height);
   desc.renderable = true;
-  if (image_ && image_->desc().width == desc.width && image_->desc().height == desc.height) return;
-  image_ = std::make_shared<VulkanImage>(device_, desc, format_);
+  if (framebuffer_.width == desc.width && framebuffer_.height == desc.height) return true;
+  render::Framebuffer next;
+  next.window = this;
+  next.yDown = true;
+  next.samples = desc_.samples;
+  next.width = desc.width;
+  next.height = desc.height;
+  next.color.image = std::make_shared<VulkanImage>(device_, desc, format_);
   desc.samples = desc_.samples;
-  samples_ = desc.samples > 1 ? std::make_shared<VulkanImage>(device_, desc, format_) : nullptr;
+  if (desc.samples > 1) {
+    next.resolve = next.color;
+    next.color.image = std::make_shared<VulkanImage>(device_, desc, format_);
+  }
+  const auto create = [&](render::Format format, render::Attachment& attachment) {
+    desc.format = format;
+    if (format != render::Format::None) attachment.image = device_.createImage(desc);
+    return format == render::Format::None || attachment.image;
+  };
+  if (!create(desc_.depth, next.depth)) return false;
+  if (desc_.stencil == desc_.depth)
+    next.stencil = next.depth;
+  else if (!create(desc_.stencil, next.stencil))
+    return false;
+  framebuffer_ = std::move(next);
+  width_ = desc.width;
+  height_ = desc.height;
+  nameImages();
+  return true;
+}
+
+void VulkanWindow::setLabel(std::string_view text) {
+  label_ = text;
+  nameImages();
+}
+
+void VulkanWindow::nameImages() const {
+  if (label_.empty() || !device_.caps().objectNames) return;
+  const auto name = [&](const render::Attachment& attachment, const char* use) {
+    if (attachment.image) attachment.image->setLabel(label_ + use);
+  };
+  name(framebuffer_.stencil, " stencil");
+  name(framebuffer_.depth, " depth");
+  name(framebuffer_.color, " color");
 }
 
 void VulkanWindow::lose() {
@@ -212,23 +258,30 @@ void VulkanWindow::lose() {
 
 // The image of the picture that was shown is the swapchain's alone.
 void VulkanWindow::returnImage() {
-  if (image_ && drawn().hasStore() && drawn().held()->borrowed) drawn().setStore(nullptr);
+  if (framebuffer_.width && drawn().hasStore() && drawn().held()->borrowed) drawn().setStore(nullptr);
 }
 
-bool VulkanWindow::acquire(int width, int height) {
+// False: the native window is gone.
+bool VulkanWindow::ask() {
+  wish_ = desc_.owner->wish();
+  return wish_.there;
+}
+
+bool VulkanWindow::makeReady() {
+  if (isReady()) return true;
+  if (!ask()) lose();
   returnImage();
-  wantedWidth_ = static_cast<uint32_t>(std::max(width, 0));
-  wantedHeight_ = static_cast<uint32_t>(std::max(height, 0));
   if (!lost_) {
-    const VkResult result = ready();
+    const VkResult result = acquireFitting();
     if (isOutOfMemory(result)) return false;
     if (result != VK_SUCCESS) lose();
   }
-  sizeImages(swapchain_ ? swapchain_->desc().extent : extent());
-  const bool keeps = drawn().hasStore() && (preserved_ || !swapchain_);
+  if (!sizeImages(swapchain_ ? swapchain_->desc().extent : extent())) return false;
+  const bool keeps = drawn().hasStore() && (wish_.preserved || !swapchain_);
   if (!keeps) drawn().setStore(swapchain_ ? swapchain_->store() : nullptr);
   age_ = keeps ? 1 : swapchain_ ? swapchain_->age() : 0;
-  return drawn().store() != nullptr;
+  ready_ = drawn().store() != nullptr;
+  return isReady();
 }
 
 const std::shared_ptr<ImageStore>* VulkanWindow::shown() const {
@@ -236,17 +289,17 @@ const std::shared_ptr<ImageStore>* VulkanWindow::shown() const {
 }
 
 const std::shared_ptr<render::Image>& VulkanWindow::overlay() {
-  if (!overlay_ || overlay_->desc().width != image_->desc().width ||
-      overlay_->desc().height != image_->desc().height)
-    overlay_ = std::make_shared<VulkanImage>(device_, image_->desc(), format_);
+  const render::ImageDesc& desc = drawn().desc();
+  if (!overlay_ || overlay_->desc().width != desc.width || overlay_->desc().height != desc.height)
+    overlay_ = std::make_shared<VulkanImage>(device_, desc, format_);
   vulkan(*overlay_).setStore(swapchain_->store());
   return overlay_;
 }
 
 // Of a window without pixels: those it had.
 VkExtent2D VulkanWindow::extent() const {
-  if (!image_) return {1, 1};
-  return {static_cast<uint32_t>(image_->desc().width), static_cast<uint32_t>(image_->desc().height)};
+  if (framebuffer_.width == 0) return {1, 1};
+  return {static_cast<uint32_t>(framebuffer_.width), static_cast<uint32_t>(framebuffer_.height)};
 }
 
 render::Presented VulkanWindow::present(uint64_t serial, std::span<const render::Rect> damage) {

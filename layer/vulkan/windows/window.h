@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "layer/render/window.h"
@@ -21,20 +22,20 @@ class VulkanWindow final : public render::Window {
   static std::unique_ptr<VulkanWindow> create(VulkanDevice& device, const render::WindowDesc& desc);
   ~VulkanWindow() override;
 
-  bool acquire(int width, int height) override;
-  void lose() override;
-  const std::shared_ptr<render::Image>& image() const override { return image_; }
-  const std::shared_ptr<render::Image>& samples() const override { return samples_; }
+  bool makeReady() override;
+  void setLabel(std::string_view text) override;
   int age() const override { return age_; }
-  void setInterval(int interval) override { interval_ = interval; }
-  void setPreserved(bool preserved) override { preserved_ = preserved; }
   void setHud(const render::Hud* hud) override { hud_ = hud; }
 
-  // For VulkanContext::present. The picture is in drawn(), and goes to shown(): it lies there, unless
-  // pictures are kept. Null: nothing can be seen of the window.
-  VulkanImage& drawn() const { return vulkan(*image_); }
+  // For VulkanContext::present. Whether the picture is to be kept is asked again before it is shown, and
+  // whether the native window is gone: it is lost then, when all that was drawn has been submitted.
+  bool isGone() { return !ask(); }
+  void lose();
+  // The picture is in drawn(), and goes to shown(): it lies there, unless pictures are kept. Null: nothing
+  // can be seen of the window.
+  VulkanImage& drawn() const { return vulkan(*framebuffer_.readable().image); }
   const std::shared_ptr<ImageStore>* shown() const;
-  bool preserved() const { return preserved_; }
+  bool preserved() const { return wish_.preserved; }
   const render::Hud* hud() const { return hud_; }
   // An image of shown(), to be drawn over.
   const std::shared_ptr<render::Image>& overlay();
@@ -46,33 +47,34 @@ class VulkanWindow final : public render::Window {
 
  private:
   VulkanWindow(VulkanDevice& device, const render::WindowDesc& desc) : device_(device), desc_(desc) {}
+  bool ask();
   bool createSurface();
   bool choose();
   VkResult capabilities(VkSurfaceCapabilitiesKHR& out) const;
   VkPresentModeKHR mode() const;
   bool hasMode(VkPresentModeKHR mode) const;
+  VkExtent2D wantedExtent() const;
   VkExtent2D nativeExtent(const VkSurfaceCapabilitiesKHR& capabilities) const;
-  VkResult ready();
+  VkResult acquireFitting();
   VkResult acquireImage();
   VkResult renewSwapchain();
-  void sizeImages(VkExtent2D extent);
+  bool sizeImages(VkExtent2D extent);
+  void nameImages() const;
   void returnImage();
 
   VulkanDevice& device_;
   const render::WindowDesc desc_;
-  StoreFormat format_;  // of image_ and samples_
+  StoreFormat format_;  // of colors
   VkSurfaceKHR surface_ = VK_NULL_HANDLE;
   VkSurfaceFormatKHR surfaceFormat_{};
   std::vector<VkPresentModeKHR> modes_;
-  std::unique_ptr<Swapchain> swapchain_;  // null: lost, or without pixels
-  std::shared_ptr<render::Image> image_, samples_;
+  std::unique_ptr<Swapchain> swapchain_;    // null: lost, or without pixels
   std::shared_ptr<render::Image> overlay_;  // made for the first HUD
   const render::Hud* hud_ = nullptr;
-  uint32_t wantedWidth_ = 0, wantedHeight_ = 0;  // 0: the window system knows
-  bool suspect_ = false;                         // the swapchain may no longer fit
-  bool preserved_ = false;
+  std::string label_;
+  render::PictureWish wish_;
+  bool suspect_ = false;  // the swapchain may no longer fit
   bool lost_ = false;
-  int interval_ = 1;
   int age_ = 0;
 };
 
