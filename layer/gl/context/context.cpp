@@ -9,6 +9,7 @@
 #include "layer/gl/context/params.h"
 #include "layer/gl/debug/debug_output.h"
 #include "layer/gl/framebuffers/framebuffer_object.h"
+#include "layer/gl/vertices/vertex_arrays.h"
 
 namespace anteroom::gl {
 
@@ -88,6 +89,8 @@ Context::Context(render::Device& d, std::shared_ptr<ShareGroup> shareGroup,
 
   ++group->contexts;  // nothing throws any more
   group->awaitCommand();
+  const ShareLock lock(*group);
+  nextOfGroup = std::exchange(group->first, this);
 }
 
 VertexArrays initialVertexArrays() {
@@ -120,10 +123,20 @@ void Context::readyWindows() {
   if (moved && !boundFramebuffer) useDefaultFramebuffer(*this);
 }
 
+// What became of objects that the group shares.
+void Context::hear() {
+  const gen::Groups groups = std::exchange(told, 0);
+  if (groups & gen::kGroupArrays) syncArrays(*this);
+  mark(boundFramebuffer ? groups : groups & ~gen::kGroupFramebuffer);
+}
+
 bool Context::framebufferComplete() {
-  if (boundFramebuffer) return resolveFramebuffer(*this);
-  if (hasWindowToReady()) [[unlikely]]
+  if (told) hear();
+  if (boundFramebuffer) {
+    if (changed & gen::kGroupFramebuffer) resolveFramebuffer(*this);
+  } else if (hasWindowToReady()) [[unlikely]] {
     readyWindows();
+  }
   return hasFramebuffer;
 }
 

@@ -54,13 +54,13 @@ class ShareGroup {
   ObjectTable<FramebufferObject> framebuffers;
   ObjectTable<SyncObject> syncs;
 
-  // Raised when any texture's images, completeness or sampler state change, or any buffer's store is
-  // replaced: every context of the group then looks at its bindings again before it draws. New contents alone
-  // do not count.
-  std::atomic<uint32_t> textureVersion{1};
-  std::atomic<uint32_t> bufferVersion{1};
-  // Raised when an attachment of any framebuffer object, or a renderbuffer's storage, changes.
-  std::atomic<uint32_t> framebufferVersion{1};
+  // Every context of the group looks at these groups again before it draws: kGroupTextures and
+  // kGroupFramebuffer when the images, completeness or sampler state of any texture change; kGroupArrays when
+  // any buffer's store is replaced; kGroupFramebuffer when an attachment of any framebuffer object, or a
+  // renderbuffer's storage, changes. New contents alone do not count. Under the ShareLock.
+  void tell(gen::Groups groups) const;
+  Context* first = nullptr;  // of its contexts, which are chained
+
   int mappedBuffers = 0;  // how many buffer objects are mapped
 
   std::atomic<int> contexts{0};
@@ -183,10 +183,7 @@ class Context {
     if (debugOutput || options.logErrors) [[unlikely]]
       reportError(code, fault, command);
   }
-  void mark(gen::Groups groups) {
-    changed |= groups;
-    staleUnits |= (groups & gen::kGroupTextures) != 0;
-  }
+  void mark(gen::Groups groups) { changed |= groups; }
   // Stores a value and marks groups when it differs from the old one.
   template <class T>
   void set(T& field, const T& value, gen::Groups groups) {
@@ -202,8 +199,11 @@ class Context {
   bool readFramebufferComplete();
 
   render::State state;
-  // The groups of `state` in which it may differ from what the renderer drew last.
+  // The groups of `state` in which it may differ from what the renderer drew last: the one account of it.
+  // What the state shows of textures and framebuffer objects is looked up anew while their groups are marked.
   gen::Groups changed = gen::kAllGroups;
+  gen::Groups told = 0;            // by contexts of the group, to be marked. Under the ShareLock
+  Context* nextOfGroup = nullptr;  // under the ShareLock
   GLenum error = GL_NO_ERROR;
   render::Device& device;
   std::shared_ptr<ShareGroup> group;
@@ -220,8 +220,6 @@ class Context {
   std::shared_ptr<FramebufferObject> boundFramebuffer;
   std::shared_ptr<FramebufferObject> boundReadFramebuffer;  // APPLE_framebuffer_multisample
   std::shared_ptr<Renderbuffer> boundRenderbuffer;
-  uint32_t seenFramebufferVersion = 0;
-  uint32_t seenAttachedTextures = 0;  // the textureVersion at which attachments were looked up
   render::Framebuffer
       readFramebuffer;  // where pixels come from: state.framebuffer, but for EGL's read surface
 
@@ -243,16 +241,11 @@ class Context {
   std::shared_ptr<VertexArrayObject> boundVertexArray;    // never null
   std::shared_ptr<BufferObject> arrayBuffer;
   int clientActiveTexture = 0;
-  uint32_t staleArrays = ~0u;  // bit a: the renderer's view of attribute a must be made again
-  uint32_t seenBufferVersion = 0;
 
   // Section 3.7. Bindings or enables that changed mark kGroupTextures.
   int activeTexture = 0;
   std::array<UnitBindings, gen::kMaxTextureUnits> units;
   std::array<std::shared_ptr<Texture>, kSlotCount> defaultTextures;
-  uint32_t seenTextureVersion = 0;
-  // The renderer's view of the units must be made again.
-  bool staleUnits = true;
 
   ObjectTable<FenceObject> fences;  // NV_fence
 
@@ -272,6 +265,7 @@ class Context {
 
  private:
   void reportError(GLenum code, const Fault& fault, const char* command) const;
+  void hear();
   bool hasWindowToReady() const;
   void readyWindows();
 };

@@ -47,6 +47,9 @@ Context::~Context() {
     units = {};
     defaultTextures = {};
     renderer.reset();
+    Context** at = &group->first;
+    while (*at != this) at = &(*at)->nextOfGroup;
+    *at = nextOfGroup;
   }
   --group->contexts;
 }

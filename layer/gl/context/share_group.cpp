@@ -21,6 +21,10 @@ void orderAllThreads() {
 
 }  // namespace
 
+void ShareGroup::tell(gen::Groups groups) const {
+  for (Context* context = first; context; context = context->nextOfGroup) context->told |= groups;
+}
+
 void ShareGroup::awaitCommand() const {
   if (contexts.load() != 2) return;
   orderAllThreads();

@@ -53,9 +53,9 @@ struct FramebufferObject {
   std::string label;
 };
 
-// Brings state.framebuffer up to date with the bound framebuffer object. Under the ShareLock. False: it is
-// not complete, or memory ran out.
-bool resolveFramebuffer(Context& c);
+// Brings state.framebuffer up to date with the bound framebuffer object: none, when that is not complete, or
+// memory ran out. Under the ShareLock.
+void resolveFramebuffer(Context& c);
 
 // The same for readFramebuffer and the object bound to READ_FRAMEBUFFER_APPLE, which is not null.
 bool resolveReadFramebuffer(Context& c);

@@ -199,13 +199,13 @@ AttachmentPoint* attachmentPoint(Context& c, GLenum target, GLenum attachment,
 
 // Other contexts may have it bound, too.
 void attachmentsChanged(Context& c) {
-  c.group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+  c.group->tell(gen::kGroupFramebuffer);
 }
 
 void bindDraw(Context& c, std::shared_ptr<FramebufferObject> object) {
   if (c.boundFramebuffer == object) return;
   c.boundFramebuffer = std::move(object);
-  c.seenFramebufferVersion = 0;
+  c.mark(gen::kGroupFramebuffer);
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
 }
 
@@ -278,24 +278,16 @@ int sampleCount(const render::Caps& caps, GLsizei asked) {
   return asked > 0 && caps.maxSamples > 1 && asked <= caps.maxSamples ? caps.maxSamples : -1;
 }
 
-bool resolveFramebuffer(Context& c) {
-  const uint32_t version = c.group->framebufferVersion.load(std::memory_order_relaxed);
-  const uint32_t textures = c.group->textureVersion.load(std::memory_order_relaxed);
-  if (c.seenFramebufferVersion == version && c.seenAttachedTextures == textures) return c.hasFramebuffer;
-
+void resolveFramebuffer(Context& c) {
   render::Framebuffer framebuffer;
   const bool complete = makeFramebuffer(c, *c.boundFramebuffer, framebuffer);
   useFramebuffer(c, complete ? &framebuffer : nullptr);
-  c.seenFramebufferVersion = version;
-  // Textures that got their image just now raised the version, too.
-  c.seenAttachedTextures = c.group->textureVersion.load(std::memory_order_relaxed);
-  return complete;
 }
 
 bool resolveReadFramebuffer(Context& c) {
   if (c.boundReadFramebuffer != c.boundFramebuffer)
     return makeFramebuffer(c, *c.boundReadFramebuffer, c.readFramebuffer);
-  const bool complete = resolveFramebuffer(c);
+  const bool complete = c.framebufferComplete();
   c.readFramebuffer = c.state.framebuffer;
   return complete;
 }

@@ -114,7 +114,7 @@ void specifyStorage(GLenum target, GLsizei samples, GLenum internalformat, GLsiz
   renderbuffer->shared.reset();
   renderbuffer->samples = count;
   renderbuffer->multisampling = count > 0 ? multisampling : Multisampling::None;
-  c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+  c->group->tell(gen::kGroupFramebuffer);
 }
 
 render::FormatInfo bitsOf(const Renderbuffer& r) {

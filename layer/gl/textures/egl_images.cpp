@@ -149,5 +149,5 @@ GL_API void GL_APIENTRY glEGLImageTargetRenderbufferStorageOES(GLenum target, GL
   renderbuffer->shared = shared;
   renderbuffer->samples = 0;
   renderbuffer->multisampling = Multisampling::None;
-  c->group->framebufferVersion.fetch_add(1, std::memory_order_relaxed);
+  c->group->tell(gen::kGroupFramebuffer);
 }

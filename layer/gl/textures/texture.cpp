@@ -55,7 +55,7 @@ Texture::Texture(GLuint textureName, TextureSlot textureSlot, const render::Caps
 
 void Texture::changed(Context& c) {
   ready_ = false;
-  c.group->textureVersion.fetch_add(1, std::memory_order_relaxed);
+  c.group->tell(gen::kGroupTextures | gen::kGroupFramebuffer);
 }
 
 // Specification.

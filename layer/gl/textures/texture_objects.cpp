@@ -117,11 +117,9 @@ void resolveTextureUnits(Context& c) {
   for (size_t i = 0; i < c.units.size(); ++i) {
     resolved = resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && resolved;
   }
-  // Images that were made just now raised the version, too.
-  c.seenTextureVersion = c.group->textureVersion.load(std::memory_order_relaxed);
-  c.mark(gen::kGroupTextures);
-  c.staleUnits = !resolved;  // after a failure the next draw tries again
-  if (!resolved) c.setError(GL_OUT_OF_MEMORY);
+  if (resolved) return;
+  c.told |= gen::kGroupTextures;  // the next draw tries again
+  c.setError(GL_OUT_OF_MEMORY);
 }
 
 bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {

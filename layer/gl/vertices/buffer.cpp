@@ -7,6 +7,7 @@
 
 #include "layer/gl/context/object_commands.h"
 #include "layer/gl/queries/query.h"
+#include "layer/gl/vertices/vertex_arrays.h"
 
 namespace anteroom::gl {
 namespace {
@@ -50,7 +51,7 @@ void unbindEverywhere(Context& c, const std::shared_ptr<BufferObject>& object) {
   for (uint32_t i = 0; i < c.vertexArrays.arrays.size(); ++i) {
     if (c.vertexArrays.arrays[i].buffer != object) continue;
     c.vertexArrays.arrays[i].buffer = nullptr;
-    c.staleArrays |= 1u << i;
+    syncArray(c, i);
     c.mark(gen::kGroupArrays);
   }
 }
@@ -64,7 +65,7 @@ bool respecify(Context& c, BufferObject& buffer, size_t size, const void* data) 
     if (!store) return false;
   }
   buffer.store = std::move(store);
-  c.group->bufferVersion.fetch_add(1, std::memory_order_relaxed);
+  c.group->tell(gen::kGroupArrays);
   return true;
 }
 

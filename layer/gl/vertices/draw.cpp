@@ -56,17 +56,10 @@ size_t indexSize(GLenum type) {
 namespace anteroom::gl {
 
 void prepareDraw(Context& c) {
-  syncArrays(c);
-  const uint32_t textures = c.group->textureVersion.load(std::memory_order_relaxed);
-  if (textures != c.seenTextureVersion) {
-    c.seenTextureVersion = textures;
-    c.mark(gen::kGroupTextures);
-  }
-  if (c.staleUnits) {
-    resolveTextureUnits(c);
-    // Texels of an attached texture may have moved.
-    c.framebufferComplete();
-  }
+  if (!(c.changed & gen::kGroupTextures)) return;
+  resolveTextureUnits(c);
+  // Texels of an attached texture may have moved.
+  c.framebufferComplete();
 }
 
 void submitDraw(Context& c, const render::State& state, gen::Groups differs, const render::DrawCall& call,

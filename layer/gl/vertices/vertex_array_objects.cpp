@@ -5,14 +5,13 @@
 namespace anteroom::gl {
 namespace {
 
-// The bound object's arrays lie in the context; those of the others lie in the objects.
+// The bound object's arrays lie in the context; those of the others lie in the objects. Under the ShareLock.
 void bindVertexArray(Context& c, std::shared_ptr<VertexArrayObject> object) {
   if (object == c.boundVertexArray) return;
   std::swap(c.vertexArrays, c.boundVertexArray->arrays);
   c.boundVertexArray = std::move(object);
   std::swap(c.vertexArrays, c.boundVertexArray->arrays);
-  c.staleArrays = kAllArrays;
-  c.mark(gen::kGroupArrays);
+  syncArrays(c);
 }
 
 void unbind(Context& c, const std::shared_ptr<VertexArrayObject>& object) {
@@ -27,6 +26,7 @@ using namespace anteroom::gl;
 GL_API void GL_APIENTRY glBindVertexArrayOES(GLuint array) {
   Context* c = current();
   if (!c) return;
+  const ShareLock lock(*c->group);
   if (array == 0) return bindVertexArray(*c, c->defaultVertexArray);
   if (!c->vertexArrayObjects.used(array))
     return c->setError(GL_INVALID_OPERATION,

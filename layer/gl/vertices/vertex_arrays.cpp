@@ -46,10 +46,8 @@ bool attributeOf(const Context& c, GLenum array, gen::Attribute& attribute) {
   }
 }
 
-namespace {
-
-// What the renderer reads for one attribute. An array without memory to read from counts as disabled.
-void syncArray(Context& c, int index) {
+// An array without memory to read from counts as disabled.
+void syncArray(Context& c, size_t index) {
   const ClientArray& array = c.vertexArrays.arrays[index];
   gen::AttributeState& attribute = c.state.fixed.attributes[index];
   render::VertexArray& source = c.state.arrays[index];
@@ -70,19 +68,8 @@ void syncArray(Context& c, int index) {
   c.set(source.stride, stride, gen::kGroupArrays);
 }
 
-}  // namespace
-
 void syncArrays(Context& c) {
-  const uint32_t version = c.group->bufferVersion.load(std::memory_order_relaxed);
-  if (version != c.seenBufferVersion) {
-    c.seenBufferVersion = version;
-    c.staleArrays = kAllArrays;
-    c.mark(gen::kGroupArrays);  // a new store may have an old one's address
-  }
-  for (uint32_t stale = c.staleArrays & kAllArrays; stale; stale &= stale - 1) {
-    syncArray(c, __builtin_ctz(stale));
-  }
-  c.staleArrays = 0;
+  for (size_t index = 0; index < c.vertexArrays.arrays.size(); ++index) syncArray(c, index);
 }
 
 namespace {
@@ -119,7 +106,7 @@ constexpr Allowed kPointSizes{1, 1, kFixed | kFloat};
 constexpr Allowed kMatrixIndices{1, gen::kMaxVertexUnits, kUnsignedByte};
 constexpr Allowed kWeights{1, gen::kMaxVertexUnits, kFixed | kFloat};
 
-void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum type, GLsizei stride,
+void specify(Context& c, size_t index, const Allowed& allowed, GLint size, GLenum type, GLsizei stride,
              const void* pointer, const char* command = __builtin_FUNCTION()) {
   if (size < allowed.sizeMin || size > allowed.sizeMax)
     return c.setError(
@@ -149,7 +136,9 @@ void specify(Context& c, int index, const Allowed& allowed, GLint size, GLenum t
   array.pointer = pointer;
   array.isOffset = c.arrayBuffer != nullptr;
   if (array.buffer != c.arrayBuffer) array.buffer = c.arrayBuffer;
-  if (array.enabled) c.staleArrays |= 1u << index;
+  if (!array.enabled) return;
+  const ShareLock lock(*c.group);
+  syncArray(c, index);
 }
 
 void enableArray(GLenum name, bool enable, const char* command = __builtin_FUNCTION()) {
@@ -163,7 +152,8 @@ void enableArray(GLenum name, bool enable, const char* command = __builtin_FUNCT
   ClientArray& array = c->vertexArrays.arrays[attribute];
   if (array.enabled == enable) return;
   array.enabled = enable;
-  c->staleArrays |= 1u << attribute;
+  const ShareLock lock(*c->group);
+  syncArray(*c, attribute);
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 namespace anteroom::gl {
 
-inline constexpr uint32_t kAllArrays = (1u << gen::kAttributeCount) - 1;
-
 // Bytes of one component of an array.
 uint32_t bytesOf(GLenum type);
 
@@ -14,7 +12,9 @@ uint32_t bytesOf(GLenum type);
 // False: no such array.
 bool attributeOf(const Context& c, GLenum array, gen::Attribute& attribute);
 
-// Brings the renderer's view of the arrays up to date. Under the ShareLock.
+// Brings the renderer's view of one array, or of all, up to date. Under the ShareLock, for stores may be
+// replaced.
+void syncArray(Context& c, size_t attribute);
 void syncArrays(Context& c);
 
 }  // namespace anteroom::gl
