@@ -174,6 +174,20 @@ TEST_F(DrawTest, AReplacedStoreIsSeenByTheNextDraw) {
   EXPECT_EQ(draws(), 2u);
 }
 
+TEST_F(DrawTest, AStoreThatAnotherContextReplacedIsSeenByTheNextDraw) {
+  const GLuint name = buffer(GL_ARRAY_BUFFER, 100);
+  glVertexPointer(2, GL_SHORT, 0, nullptr);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  const ContextPtr other = createContext(device, context.get(), {});
+  makeCurrent(other.get());
+  glBindBuffer(GL_ARRAY_BUFFER, name);
+  glBufferData(GL_ARRAY_BUFFER, 200, nullptr, GL_STATIC_DRAW);
+  makeCurrent(context.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  EXPECT_EQ(state().arrays[gen::kPosition].buffer->size(), 200u);
+  EXPECT_EQ(renderer().draws.back().changed, gen::Groups{gen::kGroupArrays});
+}
+
 TEST_F(DrawTest, ADeletedBufferIsNotReadAgain) {
   const GLuint name = buffer(GL_ARRAY_BUFFER, 100);
   glVertexPointer(2, GL_SHORT, 0, reinterpret_cast<const void*>(16));
