@@ -16,7 +16,8 @@ constexpr std::array<glm::dvec3, 4> kFlames = {
     glm::dvec3(0.002, 0.002, 0.024)};
 
 // Where `receiver` is marked in the stencil and `mark` is not yet; marks it.
-void drawShadow(const Skin& skin, const glm::dmat4& view, glm::dvec4 plane, GLuint receiver, const glm::dvec3& light, GLuint mark) {
+void drawShadow(const Skin& skin, const glm::dmat4& view, glm::dvec4 plane, GLuint receiver,
+                const glm::dvec3& light, GLuint mark) {
   glStencilFunc(GL_EQUAL, static_cast<GLint>(receiver), receiver | mark);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
   glStencilMask(mark);

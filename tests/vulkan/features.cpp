@@ -13,7 +13,7 @@ namespace {
 
 TEST(Features, AMinimalDeviceUsesNoExtension) {
   std::string error;
-  const auto device = VulkanDevice::create({.minimal = true}, error);
+  const auto device = VulkanDevice::create({.preferred = {}, .minimal = true}, error);
   ASSERT_NE(device, nullptr) << error;
   const Features& f = device->features();
 #define FEATURE(member, condition, purpose) EXPECT_FALSE(f.member) << #member;

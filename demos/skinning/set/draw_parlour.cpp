@@ -55,7 +55,8 @@ void Halos::draw(const Parlour& parlour, const room::Camera& camera, double flic
   glBlendFunc(GL_ONE, GL_ONE);
   room::useTexture(0, halo_);
   room::setColor(glm::dvec3(0.62, 0.36, 0.13) * flicker);
-  for (const glm::dvec3& candle : parlour.candles()) room::drawBillboard(camera, candle, 0.34 * flicker, 0.03);
+  for (const glm::dvec3& candle : parlour.candles())
+    room::drawBillboard(camera, candle, 0.34 * flicker, 0.03);
   room::resetPasses(kUnits);
 }
 

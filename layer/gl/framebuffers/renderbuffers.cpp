@@ -8,6 +8,7 @@
 #include "layer/gl/queries/query.h"
 
 using namespace anteroom::gl;
+namespace gen = anteroom::gen;
 namespace render = anteroom::render;
 using render::Format;
 

@@ -103,6 +103,7 @@ bool hasCompany(const Context& c) {
 }  // namespace anteroom::gl
 
 using namespace anteroom::gl;
+namespace gen = anteroom::gen;
 namespace render = anteroom::render;
 
 GL_API void GL_APIENTRY glEGLImageTargetTexture2DOES(GLenum target, GLeglImageOES image) {
