@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fragment_reference.h"
 #include "harness.h"
@@ -392,6 +393,21 @@ TEST_F(FragmentOperations, EveryLogicOperation) {
           },
           0);
     }
+  }
+}
+
+// 4.1.9: nothing but the operation changes between two draws.
+TEST_F(FragmentOperations, LogicOperationsInTurn) {
+  glEnable(GL_COLOR_LOGIC_OP);
+  setColor({1, 1, 1, 1});
+  const std::pair<GLenum, double> operations[] = {{GL_CLEAR, 0}, {GL_INVERT, 0}, {GL_XOR, 0}, {GL_OR, 1}};
+  for (const auto& [operation, value] : operations) {
+    clearTo({0, 0, 0, 0});
+    glLogicOp(GL_SET);
+    drawRect();
+    glLogicOp(operation);
+    drawRect();
+    EXPECT_PIXEL(32, 32, (Vec4{value, value, value, value})) << operation;
   }
 }
 

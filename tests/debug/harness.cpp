@@ -19,6 +19,7 @@ process::Environment recorded(const std::string& log, process::Environment more)
   more["VK_ADD_LAYER_PATH"] = LAYER_FOLDER;
   more["VK_INSTANCE_LAYERS"] = "VK_LAYER_KHRONOS_validation:VK_LAYER_ANTEROOM_recording";
   more["RECORDING_LAYER_LOG"] = log;
+  more["ANTEROOM_QUIRKS"] = "-command-labels";  // they end in that layer
   return more;
 }
 

@@ -1,7 +1,7 @@
 // A Vulkan layer that writes down what a tool would see: VK_LAYER_ANTEROOM_recording. Names, labels, passes
 // and draws go to $RECORDING_LAYER_LOG, a line each. Labels of command buffers end here, since Mesa's CPU
-// driver crashes in them; and so that they are sent at all, the device does not look like a CPU from above.
-// It refuses to make what $RECORDING_LAYER_REFUSES names: shaders or pipelines.
+// driver crashes in them; ANTEROOM_QUIRKS=-command-labels has them sent at all. It refuses to make what
+// $RECORDING_LAYER_REFUSES names: shaders or pipelines.
 
 #include <cstdio>
 #include <cstdlib>
@@ -31,24 +31,6 @@ bool refuses(const char* what) {
   const char* refused = std::getenv("RECORDING_LAYER_REFUSES");
   return refused != nullptr && std::strcmp(refused, what) == 0;
 }
-
-// ---- the instance's commands ----
-
-void hideCpu(VkPhysicalDeviceProperties& properties) {
-  if (properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU)
-    properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU;
-}
-
-VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice physical, VkPhysicalDeviceProperties* out) {
-  next<PFN_vkGetPhysicalDeviceProperties>(physical, "vkGetPhysicalDeviceProperties")(physical, out);
-  hideCpu(*out);
-}
-VKAPI_ATTR void VKAPI_CALL getProperties2(VkPhysicalDevice physical, VkPhysicalDeviceProperties2* out) {
-  next<PFN_vkGetPhysicalDeviceProperties2>(physical, "vkGetPhysicalDeviceProperties2")(physical, out);
-  hideCpu(out->properties);
-}
-
-// ---- the device's commands ----
 
 VKAPI_ATTR VkResult VKAPI_CALL setName(VkDevice device, const VkDebugUtilsObjectNameInfoEXT* info) {
   write("name " + std::to_string(info->objectType) + " " + info->pObjectName);
@@ -90,9 +72,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createPipelines(VkDevice device, VkPipelineCache 
 }  // namespace
 
 std::span<const layer::Command> layer::instanceCommands() {
-  static const Command kCommands[] = {command("vkGetPhysicalDeviceProperties", getProperties),
-                                      command("vkGetPhysicalDeviceProperties2", getProperties2)};
-  return kCommands;
+  return {};
 }
 
 std::span<const layer::Command> layer::deviceCommands() {

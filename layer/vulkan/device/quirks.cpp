@@ -32,8 +32,7 @@ bool tellsItsDriver(VkPhysicalDevice physical, uint32_t apiVersion) {
 render::WordList wordList() {
   render::WordList list{"ANTEROOM_QUIRKS", {}};
   for (const Quirk& quirk : kQuirks)
-    list.words.push_back(
-        {std::string("+-").append(quirk.name), std::string(quirk.what).append(": ").append(quirk.why)});
+    list.words.push_back({std::string("+-").append(quirk.name), std::string(quirk.what)});
   list.words.push_back({"-all", "nothing is done about any fault"});
   return list;
 }
