@@ -29,29 +29,29 @@ def ask(program, *arguments):
 
 
 class Programs(unittest.TestCase):
-    def each(self):
+    def setUp(self):
         self.assertGreater(len(PROGRAMS), 0)
-        for program in PROGRAMS:
-            with self.subTest(program.name):
-                yield program
 
     def test_version(self):
-        for program in self.each():
-            answer = ask(program, "--version")
-            self.assertEqual((answer.returncode, answer.stdout), (0, f"{program.name} {VERSION}\n"), answer.stderr)
+        for program in PROGRAMS:
+            with self.subTest(program.name):
+                answer = ask(program, "--version")
+                self.assertEqual((answer.returncode, answer.stdout), (0, f"{program.name} {VERSION}\n"), answer.stderr)
 
     def test_help(self):
-        for program in self.each():
-            answer = ask(program, "--help")
-            self.assertEqual((answer.returncode, answer.stderr), (0, ""))
-            for option in ("--help", "--version"):
-                self.assertIn(option, answer.stdout)
+        for program in PROGRAMS:
+            with self.subTest(program.name):
+                answer = ask(program, "--help")
+                self.assertEqual((answer.returncode, answer.stderr), (0, ""))
+                for option in ("--help", "--version"):
+                    self.assertIn(option, answer.stdout)
 
     def test_wrong_usage(self):
-        for program in self.each():
-            answer = ask(program, "--no-such-option")
-            self.assertEqual(answer.returncode, WRONG_USAGE.get(program.name, 2), answer.stdout)
-            self.assertIn("no-such-option", answer.stderr)
+        for program in PROGRAMS:
+            with self.subTest(program.name):
+                answer = ask(program, "--no-such-option")
+                self.assertEqual(answer.returncode, WRONG_USAGE.get(program.name, 2), answer.stdout)
+                self.assertNotEqual(answer.stderr, "")
 
 
 class Libraries(unittest.TestCase):
