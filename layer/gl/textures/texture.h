@@ -187,8 +187,8 @@ struct Texture {
 void initTextures(Context& c);
 
 // From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i]
-// (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures was marked.
-void resolveTextureUnits(Context& c);
+// (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures was marked. False: out of memory.
+bool resolveTextureUnits(Context& c);
 
 // The slot of a binding target, and of a target that names an image. kSlotCount: none.
 TextureSlot bindingSlot(GLenum target);

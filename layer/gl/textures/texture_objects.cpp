@@ -112,14 +112,13 @@ void initTextures(Context& c) {
   }
 }
 
-void resolveTextureUnits(Context& c) {
+bool resolveTextureUnits(Context& c) {
   bool resolved = true;
   for (size_t i = 0; i < c.units.size(); ++i) {
     resolved = resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && resolved;
   }
-  if (resolved) return;
-  c.told |= gen::kGroupTextures;  // the next draw tries again
-  c.setError(GL_OUT_OF_MEMORY);
+  if (!resolved) c.setError(GL_OUT_OF_MEMORY);
+  return resolved;
 }
 
 bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {
