@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "layer/vulkan/debug/labels.h"
+#include "layer/vulkan/device/constant_sets.h"
 #include "layer/vulkan/device/features.h"
 #include "layer/vulkan/device/formats.h"
 #include "layer/vulkan/device/instance.h"
 #include "layer/vulkan/device/memory.h"
 #include "layer/vulkan/device/quirks.h"
-#include "layer/vulkan/resources/stream.h"
 #include "layer/vulkan/vulkan_device.h"
 
 namespace anteroom::vulkan {

@@ -2,7 +2,6 @@
 
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/process_end.h"
-#include "layer/vulkan/resources/image.h"
 
 namespace anteroom::vulkan {
 namespace {

@@ -16,4 +16,7 @@ extern const OwnShader kQuadVertex, kFlatFragment, kCopyFragment, kHudFragment;
 // All that there are.
 std::span<const OwnShader* const> ownShaders();
 
+// Whether statistics tell of what is made, and a later run makes it ahead.
+enum class Counted : bool { No, Yes };
+
 }  // namespace anteroom::vulkan

@@ -24,9 +24,6 @@ struct Shader {
   cache::KeyBytes key;  // lives as long as the shader
 };
 
-// Whether statistics tell of what is made, and a later run makes it ahead.
-enum class Counted : bool { No, Yes };
-
 // Thread-safe. Shaders live as long as the device; a pointer to one stays valid.
 class ShaderLibrary {
  public:

@@ -7,16 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "layer/vulkan/device/constant_sets.h"
 #include "layer/vulkan/device/memory.h"
 
 namespace anteroom::vulkan {
 
 class VulkanDevice;
-
-// The descriptor sets of a buffer of constants: for each stage the one that it looks into.
-struct ConstantSets {
-  VkDescriptorSet vertex = VK_NULL_HANDLE, fragment = VK_NULL_HANDLE;
-};
 
 // A piece of a stream. Empty: out of memory.
 struct StreamPiece {
