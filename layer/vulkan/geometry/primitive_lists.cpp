@@ -3,6 +3,41 @@
 #include "layer/vulkan/resources/indices.h"
 
 namespace anteroom::vulkan {
+VkPrimitiveTopology topologyOf(GLenum mode) {
+  switch (mode) {
+    case GL_POINTS:
+      return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+    case GL_LINES:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+    case GL_LINE_LOOP:
+    case GL_LINE_STRIP:
+      return VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+    case GL_TRIANGLE_STRIP:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+    case GL_TRIANGLE_FAN:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
+    default:
+      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  }
+}
+
+GLenum separateMode(GLenum mode) {
+  switch (mode) {
+    case GL_POINTS:
+      return GL_POINTS;
+    case GL_LINES:
+    case GL_LINE_STRIP:
+    case GL_LINE_LOOP:
+      return GL_LINES;
+    default:
+      return GL_TRIANGLES;
+  }
+}
+
+uint32_t verticesOfPrimitive(GLenum separate) {
+  return separate == GL_POINTS ? 1 : separate == GL_LINES ? 2 : 3;
+}
+
 uint32_t expandedCount(GLenum mode, Expansion expansion, uint32_t count) {
   if (expansion == Expansion::LoopToStrip) return count < 2 ? 0 : count + 1;
   switch (mode) {

@@ -1,7 +1,8 @@
-// Indices: the lists that stand for primitives that the device has not.
+// Lists of indices that stand for primitives that the device has not.
 #pragma once
 
 #include <GLES/gl.h>
+#include <volk.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +16,12 @@ enum class Expansion : uint8_t {
   ToList,        // strips, fans and loops to lists
   ToListRotated  // and each primitive's last vertex to the front: the device takes flat colors from the first
 };
+
+VkPrimitiveTopology topologyOf(GLenum mode);
+// The mode that draws the primitives of `mode` separately: points, lines or triangles.
+GLenum separateMode(GLenum mode);
+// Vertices of a primitive of such a mode.
+uint32_t verticesOfPrimitive(GLenum separate);
 
 // The number of indices that expandIndices writes for `count` vertices.
 uint32_t expandedCount(GLenum mode, Expansion expansion, uint32_t count);

@@ -1,10 +1,10 @@
 #include "layer/vulkan/geometry/vertex_fetch.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/geometry/primitive_lists.h"
-#include "layer/vulkan/recording/command_stream.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -106,13 +106,13 @@ void VertexFetch::place(const render::VertexArray& where, Source& s) const {
 void VertexFetch::add(const Source& source, bool gather) {
   if (gather) gathered_ |= 1u << count_;
   sources_[count_] = source;
-  layout_.arrays[count_++] = {source.location, static_cast<uint32_t>(source.format), source.stride};
+  arrays_.layout.arrays[count_++] = {source.location, static_cast<uint32_t>(source.format), source.stride};
 }
 
 void VertexFetch::configure(const render::State& state, const gen::VertexKey& key, Carried carried,
                             const std::byte* values, uint32_t size) {
   const uint32_t read = gen::attributesRead(key);
-  const auto carry = [&](uint32_t location, const void* from) {
+  const auto addCarried = [&](uint32_t location, const void* from) {
     Source s{};
     s.location = location;
     s.format = VK_FORMAT_R32G32B32A32_SFLOAT;
@@ -123,13 +123,13 @@ void VertexFetch::configure(const render::State& state, const gen::VertexKey& ke
     s.carried = true;
     add(s, true);
   };
-  layout_ = {};
+  arrays_ = {};
   count_ = gathered_ = 0;
   for (int a = 0; a < gen::kAttributeCount; ++a) {
     if (!(read >> a & 1)) continue;
     const gen::AttributeState& array = state.fixed.attributes[a];
     if (a == gen::kColor && carried == Carried::Color && !array.array) {
-      carry(gen::kColor, &array.current);
+      addCarried(gen::kColor, &array.current);
       continue;
     }
     const Source s = source(state, key, static_cast<gen::Attribute>(a));
@@ -138,8 +138,8 @@ void VertexFetch::configure(const render::State& state, const gen::VertexKey& ke
     add(s, carried == Carried::Values || !s.buffer || unaligned);
   }
   if (carried == Carried::Values)
-    for (uint32_t at = 0; at < size; at += 16) carry(gen::kOwnValuesLocation + at / 16, values + at);
-  layout_.count = count_;
+    for (uint32_t at = 0; at < size; at += 16) addCarried(gen::kOwnValuesLocation + at / 16, values + at);
+  arrays_.layout.count = count_;
 }
 
 bool VertexFetch::inside(uint64_t end) const {
@@ -161,9 +161,9 @@ uint32_t VertexFetch::placeGathered(uint32_t mask) {
 }
 
 std::byte* VertexFetch::reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream,
-                                const CommandStream& commands, uint32_t& base) {
+                                uint64_t recording, uint32_t& base) {
   const VkDeviceSize bytes = VkDeviceSize{stride} * count;
-  if (!fresh && arena_.stride == stride && arena_.recording == commands.recordingId() &&
+  if (!fresh && arena_.stride == stride && arena_.recording == recording &&
       stream.extend(arena_.piece, arena_.used, bytes)) {
     base = static_cast<uint32_t>(arena_.used / stride);
     std::byte* const to = arena_.piece.mapped + arena_.used;
@@ -177,7 +177,7 @@ std::byte* VertexFetch::reserve(uint32_t stride, uint32_t count, bool fresh, Str
   }
   arena_.used = bytes;
   arena_.stride = stride;
-  arena_.recording = commands.recordingId();
+  arena_.recording = recording;
   base = 0;
   return arena_.piece.mapped;
 }
@@ -185,9 +185,10 @@ std::byte* VertexFetch::reserve(uint32_t stride, uint32_t count, bool fresh, Str
 void VertexFetch::bindArena(uint32_t mask, uint32_t stride) {
   for (uint32_t i = 0; i < count_; ++i) {
     if (!(mask >> i & 1)) continue;
-    buffers_[i] = arena_.piece.buffer;
-    offsets_[i] = arena_.piece.offset + place_[i];
-    layout_.arrays[i].stride = stride;
+    arrays_.buffers[i] = arena_.piece.buffer;
+    arrays_.offsets[i] = arena_.piece.offset + place_[i];
+    arrays_.stores[i] = nullptr;
+    arrays_.layout.arrays[i].stride = stride;
   }
 }
 
@@ -217,14 +218,13 @@ void VertexFetch::gatherList(GLenum indexType, const std::byte* indices, uint32_
 }
 
 bool VertexFetch::append(const render::State& state, bool moved, const uint32_t* list, uint32_t first,
-                         uint32_t count, Stream& stream, const CommandStream& commands) {
+                         uint32_t count, Stream& stream, uint64_t recording) {
   if (moved)
     for (uint32_t i = 0; i < count_; ++i)
       if (!sources_[i].carried) place(state.arrays[sources_[i].location], sources_[i]);
   if (!list && !inside(uint64_t{first} + count)) return false;
   const VkDeviceSize bytes = VkDeviceSize{arena_.stride} * count;
-  if (arena_.stride == 0 || arena_.recording != commands.recordingId() ||
-      !stream.extend(arena_.piece, arena_.used, bytes))
+  if (arena_.stride == 0 || arena_.recording != recording || !stream.extend(arena_.piece, arena_.used, bytes))
     return false;
   std::byte* const to = arena_.piece.mapped + arena_.used;
   arena_.used += bytes;
@@ -235,14 +235,14 @@ bool VertexFetch::append(const render::State& state, bool moved, const uint32_t*
   return true;
 }
 
-bool VertexFetch::fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands) {
+bool VertexFetch::fetchRange(uint32_t first, uint32_t count, Stream& stream, uint64_t recording) {
   const uint32_t all = (1u << count_) - 1;
   const bool mixed = gathered_ != 0 && gathered_ != all;
   vertexOffset_ = 0;
   if (gathered_) {
     const uint32_t stride = placeGathered(gathered_);
     uint32_t base;
-    std::byte* const to = reserve(stride, count, mixed, stream, commands, base);
+    std::byte* const to = reserve(stride, count, mixed, stream, recording, base);
     if (!to) return false;
     gather(first, count, stride, to);
     bindArena(gathered_, stride);
@@ -251,21 +251,22 @@ bool VertexFetch::fetchRange(uint32_t first, uint32_t count, Stream& stream, Com
   for (uint32_t i = 0; i < count_; ++i) {
     if (gathered_ >> i & 1) continue;
     const Source& s = sources_[i];
-    commands.hold(s.buffer->store());
-    const Allocation& memory = s.buffer->store()->memory;
-    buffers_[i] = memory.buffer;
-    offsets_[i] = memory.offset + s.offset + (mixed ? VkDeviceSize{first} * s.stride : 0);
-    layout_.arrays[i].stride = s.stride;
+    const std::shared_ptr<BufferStore>& store = s.buffer->store();
+    const Allocation& memory = store->memory;
+    arrays_.stores[i] = &store;
+    arrays_.buffers[i] = memory.buffer;
+    arrays_.offsets[i] = memory.offset + s.offset + (mixed ? VkDeviceSize{first} * s.stride : 0);
+    arrays_.layout.arrays[i].stride = s.stride;
   }
   return true;
 }
 
 bool VertexFetch::fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count,
-                            Stream& stream, CommandStream& commands) {
+                            Stream& stream, uint64_t recording) {
   const uint32_t all = (1u << count_) - 1;
   const uint32_t stride = placeGathered(all);
   uint32_t base;
-  std::byte* const to = reserve(stride, count, false, stream, commands, base);
+  std::byte* const to = reserve(stride, count, false, stream, recording, base);
   if (!to) return false;
   gatherList(indexType, indices, first, count, stride, to);
   bindArena(all, stride);

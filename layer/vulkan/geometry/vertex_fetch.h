@@ -6,18 +6,13 @@
 #include <cstdint>
 
 #include "layer/render/renderer.h"
-#include "layer/vulkan/pipelines/pipeline_key.h"
+#include "layer/vulkan/geometry/geometry.h"
 #include "layer/vulkan/resources/buffer.h"
 #include "layer/vulkan/resources/stream.h"
 
 namespace anteroom::vulkan {
 
-class CommandStream;
 class VulkanDevice;
-
-// What each vertex brings although GL has no array of it: the current color, or all that would be push
-// constants. Draws that differ in nothing else can then be one.
-enum class Carried : uint8_t { Nothing, Color, Values };
 
 class VertexFetch {
  public:
@@ -34,22 +29,21 @@ class VertexFetch {
   // Whether vertices below `end` lie inside all buffers.
   bool inside(uint64_t end) const;
 
-  // Makes vertices [first, first + count) available; they are inside(). False: out of memory.
-  bool fetchRange(uint32_t first, uint32_t count, Stream& stream, CommandStream& commands);
+  // Makes vertices [first, first + count) available; they are inside(). `recording`: the number of the
+  // recording that will draw them. False: out of memory.
+  bool fetchRange(uint32_t first, uint32_t count, Stream& stream, uint64_t recording);
   // Gathers vertices behind those of the last fetchRange, with the same arrays at other places: one more draw
   // can then be one with the last. `moved`: the arrays may lie elsewhere. Not null: the vertices that `list`
   // names. False: configure and fetch anew.
   bool append(const render::State& state, bool moved, const uint32_t* list, uint32_t first, uint32_t count,
-              Stream& stream, const CommandStream& commands);
+              Stream& stream, uint64_t recording);
   // Gathers the `count` vertices that indices name (null: those from `first` on), in their order. What lies
   // outside a buffer is zero.
   bool fetchList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, Stream& stream,
-                 CommandStream& commands);
+                 uint64_t recording);
 
   // Of the last fetch.
-  const VertexLayout& layout() const { return layout_; }
-  const std::array<VkBuffer, kMostArrays>& buffers() const { return buffers_; }
-  const std::array<VkDeviceSize, kMostArrays>& offsets() const { return offsets_; }
+  const VertexArrays& arrays() const { return arrays_; }
   // What is added to a vertex's number in GL (fetchRange) or in the list (fetchList) to find it.
   int32_t vertexOffset() const { return vertexOffset_; }
 
@@ -78,8 +72,8 @@ class VertexFetch {
   void place(const render::VertexArray& where, Source& source) const;
   void add(const Source& source, bool gather);
   VkFormat supported(VkFormat three, VkFormat four) const;
-  std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream,
-                     const CommandStream& commands, uint32_t& base);
+  std::byte* reserve(uint32_t stride, uint32_t count, bool fresh, Stream& stream, uint64_t recording,
+                     uint32_t& base);
   uint32_t placeGathered(uint32_t mask);
   void gather(uint32_t first, uint32_t count, uint32_t stride, std::byte* to);
   void gatherList(GLenum indexType, const std::byte* indices, uint32_t first, uint32_t count, uint32_t stride,
@@ -92,9 +86,7 @@ class VertexFetch {
   uint32_t gathered_ = 0;                      // bit i: source i is always gathered
   std::array<uint32_t, kMostArrays> place_{};  // in a gathered vertex
   Arena arena_;
-  VertexLayout layout_;
-  std::array<VkBuffer, kMostArrays> buffers_{};
-  std::array<VkDeviceSize, kMostArrays> offsets_{};
+  VertexArrays arrays_;
   int32_t vertexOffset_ = 0;
   mutable std::array<int8_t, 256> formatSupport_{};  // by VkFormat: 0 unknown, 1 yes, -1 no
 };

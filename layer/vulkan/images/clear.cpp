@@ -1,14 +1,17 @@
-// glClear (section 4.2.3): remembered until a pass begins where it can be, else done inside the pass.
+#include "layer/vulkan/images/clear.h"
+
 #include <algorithm>
 
-#include "layer/vulkan/context.h"
-#include "layer/vulkan/device/device.h"
-#include "layer/vulkan/pipelines/pipeline_cache.h"
-#include "layer/vulkan/pipelines/shader_library.h"
-#include "layer/vulkan/resources/sampler.h"
+#include "layer/vulkan/images/attachments.h"
+#include "layer/vulkan/images/stores.h"
+#include "layer/vulkan/recording/recorder.h"
 
 namespace anteroom::vulkan {
 namespace {
+
+constexpr VkImageAspectFlags kColor = VK_IMAGE_ASPECT_COLOR_BIT;
+constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
+constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
 
 VkClearColorValue clearColor(const glm::vec4& color, const VulkanImage& image) {
   VkClearColorValue value;
@@ -17,60 +20,27 @@ VkClearColorValue clearColor(const glm::vec4& color, const VulkanImage& image) {
   return value;
 }
 
-constexpr VkImageAspectFlags kColor = VK_IMAGE_ASPECT_COLOR_BIT;
-constexpr VkImageAspectFlags kDepth = VK_IMAGE_ASPECT_DEPTH_BIT;
-constexpr VkImageAspectFlags kStencil = VK_IMAGE_ASPECT_STENCIL_BIT;
-
-}  // namespace
-
-bool VulkanContext::clear(const render::State& state, gen::Groups changed, GLbitfield mask) {
-  flushBatch();
-  takeTarget(state, changed);
-  const render::Rect all{0, 0, target_.width, target_.height};
-  const render::Rect rect = clipped(state.scissorTest ? state.scissor : all, target_);
-  if (rect.width <= 0 || rect.height <= 0) return true;
-  const bool covers = rect.width == all.width && rect.height == all.height;
-
-  const uint8_t colors = writeMask(state.ops.colorMask, target_);
+// What a clear clears: all of an aspect, or components and bits under a mask.
+struct Aspects {
+  VkImageAspectFlags whole = 0, masked = 0;
+};
+Aspects aspectsOf(const Target& target, const render::State& state, GLbitfield mask) {
+  Aspects aspects;
+  const uint8_t colors = writeMask(state.ops.colorMask, target);
   const uint32_t stencilBits = state.ops.stencilWriteMask & 0xff;
-  VkImageAspectFlags plain = 0, masked = 0;
   if (mask & GL_COLOR_BUFFER_BIT && colors)
-    (colors == writeMask({true, true, true, true}, target_) ? plain : masked) |= kColor;
-  if (mask & GL_DEPTH_BUFFER_BIT && target_.hasDepth && state.ops.depthMask) plain |= kDepth;
-  if (mask & GL_STENCIL_BUFFER_BIT && target_.hasStencil && stencilBits)
-    (stencilBits == 0xff ? plain : masked) |= kStencil;
-
-  const bool inPass = pass_.activeOn(target_);
-  const PendingClear values{
-      0,
-      target_.colorLevel,
-      target_.colorLayer,
-      target_.color ? clearColor(state.clear.color, *target_.color) : VkClearColorValue{},
-      {std::clamp(state.clear.depth, 0.0f, 1.0f), static_cast<uint32_t>(state.clear.stencil) & 0xff}};
-  VkImageAspectFlags now = plain;
-  if (covers) {
-    if (plain & kColor && !inPass) {
-      if (!remember(*target_.color, target_.colorLevel, target_.colorLayer, kColor, values)) return false;
-      now &= ~kColor;
-    }
-    const VkImageAspectFlags depth = plain & (kDepth | kStencil);
-    if (depth && !(inPass && pass_.hasDepth())) {
-      if (!remember(*target_.depth, target_.depthLevel, target_.depthLayer, depth, values)) return false;
-      now &= ~depth;
-    }
-    // What is read is the other image: the clear cannot wait until somebody asks for this one.
-    if (plain & kColor && !inPass && target_.resolve && !openPass(target_, false)) return false;
-  }
-  if (now && !clearInPass(now, rect, values)) return false;
-  return !masked || clearMasked(state, masked, rect);
+    (colors == writeMask({true, true, true, true}, target) ? aspects.whole : aspects.masked) |= kColor;
+  if (mask & GL_DEPTH_BUFFER_BIT && target.hasDepth && state.ops.depthMask) aspects.whole |= kDepth;
+  if (mask & GL_STENCIL_BUFFER_BIT && target.hasStencil && stencilBits)
+    (stencilBits == 0xff ? aspects.whole : aspects.masked) |= kStencil;
+  return aspects;
 }
 
 // The clear of a whole attachment is done when the next pass on it begins, if there is one.
-bool VulkanContext::remember(VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
-                             const PendingClear& values) {
+bool remember(Recorder& recorder, VulkanImage& image, int level, int layer, VkImageAspectFlags aspects,
+              const PendingClear& values) {
   PendingClear& pending = image.pending;
-  if (pending.aspects && (pending.level != level || pending.layer != layer) && !materialise(image))
-    return false;
+  if ((pending.level != level || pending.layer != layer) && !doPendingClear(recorder, image)) return false;
   // A stencil buffer may live in an image with depth, and the other way round.
   pending.aspects |= aspects;
   pending.level = level;
@@ -82,9 +52,10 @@ bool VulkanContext::remember(VulkanImage& image, int level, int layer, VkImageAs
   return true;
 }
 
-bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& rect,
-                                const PendingClear& values) {
-  if (!openPass(target_, aspects & (kDepth | kStencil))) return false;
+bool clearInPass(Recorder& recorder, const Target& target, VkImageAspectFlags aspects,
+                 const render::Rect& rect, const PendingClear& values) {
+  if (!loadSamples(recorder, target) || !recorder.openPass(target, aspects & (kDepth | kStencil)))
+    return false;
   VkClearAttachment attachments[2];
   uint32_t count = 0;
   if (aspects & kColor) {
@@ -96,119 +67,65 @@ bool VulkanContext::clearInPass(VkImageAspectFlags aspects, const render::Rect& 
     attachments[count].aspectMask = aspects & (kDepth | kStencil);
     attachments[count++].clearValue.depthStencil = values.depthStencil;
   }
-  const VkClearRect area{flipped(rect, target_), 0, 1};
-  device_.fn().vkCmdClearAttachments(commands_.commands(), count, attachments, 1, &area);
+  recorder.clear({attachments, count}, flipped(rect, target));
   return true;
 }
 
 // Some components of the color, some bits of the stencil: a flat quad under the masks.
-bool VulkanContext::clearMasked(const render::State& state, VkImageAspectFlags aspects,
-                                const render::Rect& rect) {
-  DrawState quad = plainQuad(target_);
-  quad.scissor = flipped(rect, target_);
-  if (aspects & kColor) quad.fixed.writeMask = writeMask(state.ops.colorMask, target_);
+bool clearMasked(Recorder& recorder, const Target& target, const render::State& state,
+                 VkImageAspectFlags aspects, const render::Rect& rect) {
+  Quad quad(target);
+  quad.state.scissor = flipped(rect, target);
+  if (aspects & kColor) quad.state.fixed.writeMask = writeMask(state.ops.colorMask, target);
   if (aspects & kStencil) {
-    quad.fixed.stencilTest = 1;
-    quad.fixed.stencilPass = VK_STENCIL_OP_REPLACE;
-    quad.stencilWriteMask = state.ops.stencilWriteMask & 0xff;
-    quad.stencilReference = static_cast<uint32_t>(state.clear.stencil) & 0xff;
+    quad.state.fixed.stencilTest = 1;
+    quad.state.fixed.stencilPass = VK_STENCIL_OP_REPLACE;
+    quad.state.stencilWriteMask = state.ops.stencilWriteMask & 0xff;
+    quad.state.stencilReference = static_cast<uint32_t>(state.clear.stencil) & 0xff;
+    quad.withDepth = true;
   }
-  const VkClearColorValue color =
-      target_.color ? clearColor(state.clear.color, *target_.color) : VkClearColorValue{};
-  return drawQuad(target_, quad, color, aspects & kStencil);
-}
-
-// All of the target, under no test; it writes nothing yet.
-DrawState VulkanContext::plainQuad(const Target& target) {
-  DrawState quad;
-  quad.viewport = {0, 0, static_cast<float>(target.width), static_cast<float>(target.height), 0, 1};
-  quad.scissor.extent = {static_cast<uint32_t>(target.width), static_cast<uint32_t>(target.height)};
-  quad.fixed.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  quad.fixed.depthCompare = quad.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
-  quad.fixed.srcRgb = quad.fixed.srcAlpha = VK_BLEND_FACTOR_ONE;
-  quad.fixed.logicOp = VK_LOGIC_OP_COPY;
-  quad.fixed.frontFace = VK_FRONT_FACE_CLOCKWISE;
-  quad.fixed.sampleMask = static_cast<uint8_t>((1u << target.samples) - 1);
-  return quad;
-}
-
-// Everything that a quad needs but its constants and textures.
-bool VulkanContext::bindQuad(const Target& target, const DrawState& quad, const OwnShader& fragmentShader,
-                             bool withDepth, Counted counted) {
-  const auto& fn = device_.fn();
-  const Features& features = device_.features();
-  const Shader* const vertex = device_.shaders().get(kQuadVertex, counted);
-  const Shader* const fragment = device_.shaders().get(fragmentShader, counted);
-  if (!vertex || !fragment || !openPass(target, withDepth)) return false;
-
-  PipelineKey key;
-  key.vertexShader = vertex->id;
-  key.fragmentShader = fragment->id;
-  key.colorFormat = pass_.formats().color;
-  key.depthFormat = pass_.formats().depth;
-  key.samples = pass_.formats().samples;
-  key.state = baked(quad.fixed, features);
-  const VkPipeline pipeline = device_.pipelines().get(key, *vertex, *fragment, counted);
-  const VkCommandBuffer commands = commands_.commands();
-  if (!pipeline || !commands) return false;
-  startBound();
-  fn.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
-  bound_.pipeline = pipeline;
-  if (features.dynamicVertexInput) fn.vkCmdSetVertexInputEXT(commands, 0, nullptr, 0, nullptr);
-  bound_.layout = {};
-  emit(device_, commands, key.samples, quad, sent_, !bound_.stateSent);
-  bound_.stateSent = true;
-  return true;
-}
-
-// A quad over the target: in one color, or with the texels of `copied`.
-bool VulkanContext::drawQuad(const Target& target, const DrawState& quad, const VkClearColorValue& color,
-                             bool withDepth, VkImageView copied) {
-  const OwnShader& fragment = copied ? kCopyFragment : kFlatFragment;
-  if (!bindQuad(target, quad, fragment, withDepth, Counted::Yes)) return false;
-  const VkCommandBuffer commands = commands_.commands();
-  device_.fn().vkCmdPushConstants(commands, device_.pipelineLayout(), VK_SHADER_STAGE_VERTEX_BIT, 0,
-                                  sizeof color.float32, color.float32);
-  bound_.pushed = 0;
-  if (copied) {
-    const VkSampler sampler = device_.samplers().get({GL_NEAREST, GL_NEAREST}, 1, 0);
-    if (!sampler || !bindTextures(commands, 1, &copied, &sampler)) return false;
+  if (target.color) {
+    const VkClearColorValue color = clearColor(state.clear.color, *target.color);
+    std::copy_n(color.float32, 4, quad.color.begin());
   }
-  device_.fn().vkCmdDraw(commands, 3, 1, 0, 0);
-  return true;
+  return loadSamples(recorder, target) && recorder.quad(target, quad);
 }
 
-// Does a remembered clear of an image that is about to be read.
-bool VulkanContext::materialise(VulkanImage& image) {
-  const PendingClear& pending = image.pending;
-  Target target;
-  target.width = image.levelWidth(pending.level);
-  target.height = image.levelHeight(pending.level);
-  target.samples = image.desc().samples;
-  const bool color = pending.aspects & kColor;
-  (color ? target.color : target.depth) = &image;
-  (color ? target.colorLevel : target.depthLevel) = pending.level;
-  (color ? target.colorLayer : target.depthLayer) = pending.layer;
-  pass_.end();
-  if (!pass_.require(target, !color)) return false;
-  pass_.end();
-  return true;
-}
+}  // namespace
 
-// Copies can leave any alpha in the store of a format that has none: before it is drawn to, it must read
-// as 1.
-bool VulkanContext::opaqueAlpha(VulkanImage& image, int level, int layer) {
-  Target target;
-  target.color = &image;
-  target.colorLevel = level;
-  target.colorLayer = layer;
-  target.width = image.levelWidth(level);
-  target.height = image.levelHeight(level);
-  target.samples = image.desc().samples;
-  DrawState quad = plainQuad(target);
-  quad.fixed.writeMask = VK_COLOR_COMPONENT_A_BIT;
-  image.alphaStale = false;
-  return drawQuad(target, quad, {{0, 0, 0, 1}}, false);
+bool clear(Recorder& recorder, const Target& target, const render::State& state, GLbitfield mask) {
+  const render::Rect all{0, 0, target.width, target.height};
+  const render::Rect rect = clipped(state.scissorTest ? state.scissor : all, target);
+  if (rect.width <= 0 || rect.height <= 0) return true;
+  const bool covers = rect.width == all.width && rect.height == all.height;
+  const Aspects aspects = aspectsOf(target, state, mask);
+
+  const bool inPass = recorder.passIsOn(target);
+  const PendingClear values{
+      0,
+      target.colorLevel,
+      target.colorLayer,
+      target.color ? clearColor(state.clear.color, *target.color) : VkClearColorValue{},
+      {std::clamp(state.clear.depth, 0.0f, 1.0f), static_cast<uint32_t>(state.clear.stencil) & 0xff}};
+  VkImageAspectFlags now = aspects.whole;
+  if (covers) {
+    if (now & kColor && !inPass) {
+      if (!remember(recorder, *target.color, target.colorLevel, target.colorLayer, kColor, values))
+        return false;
+      now &= ~kColor;
+    }
+    const VkImageAspectFlags depth = now & (kDepth | kStencil);
+    if (depth && !(inPass && recorder.passHasDepth())) {
+      if (!remember(recorder, *target.depth, target.depthLevel, target.depthLayer, depth, values))
+        return false;
+      now &= ~depth;
+    }
+    // What is read is the other image: the clear cannot wait until somebody asks for this one.
+    if (aspects.whole & kColor && !inPass && target.resolve)
+      if (!loadSamples(recorder, target) || !recorder.openPass(target, false)) return false;
+  }
+  if (now && !clearInPass(recorder, target, now, rect, values)) return false;
+  return !aspects.masked || clearMasked(recorder, target, state, aspects.masked, rect);
 }
 
 }  // namespace anteroom::vulkan

@@ -1,10 +1,12 @@
-// Levels 1 and up by a box filter (section 3.7.8): in mapped memory, or by blits.
+#include "layer/vulkan/images/mipmaps.h"
+
 #include <algorithm>
 #include <cstring>
 #include <span>
 
-#include "layer/vulkan/context.h"
 #include "layer/vulkan/device/device.h"
+#include "layer/vulkan/images/stores.h"
+#include "layer/vulkan/recording/recorder.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -83,40 +85,34 @@ void halve(const VulkanImage& image, ImageStore& store, int level, int layer) {
       }
 }
 
-}  // namespace
-
-bool VulkanContext::generateMipmaps(render::Image& target) {
-  flushBatch();
-  VulkanImage& image = vulkan(target);
-  if (image.pending.aspects && !materialise(image)) return false;
-  ImageStore* const store = writableMapped(image, false);
-  if (!store) return blitMipmaps(image);
-  for (int layer = 0; layer < store->layers; ++layer)
-    for (int level = 1; level < image.desc().levels; ++level) halve(image, *store, level, layer);
-  return true;
-}
-
-bool VulkanContext::blitMipmaps(VulkanImage& image) {
+bool blitMipmaps(Recorder& recorder, VulkanImage& image) {
   ImageStore* const store = image.store();
-  const VkCommandBuffer commands = commands_.commands();
-  if (!store || !commands) return false;
-  leavePass(*store, true);
+  const VkCommandBuffer commands = store ? recorder.beginTransfer(nullptr, &image.held()) : VK_NULL_HANDLE;
+  if (!commands) return false;
   const auto corner = [&](int level) {
     return VkOffset3D{image.levelWidth(level), image.levelHeight(level), image.levelDepth(level)};
   };
   for (int level = 1; level < image.desc().levels; ++level) {
-    if (level > 1) commands_.barrier();
+    if (level > 1) recorder.barrier();
     VkImageBlit blit{};
-    blit.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(level - 1), 0,
-                           static_cast<uint32_t>(store->layers)};
-    blit.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(level), 0,
-                           static_cast<uint32_t>(store->layers)};
+    blit.srcSubresource = layersOf(level - 1, 0, store->layers);
+    blit.dstSubresource = layersOf(level, 0, store->layers);
     blit.srcOffsets[1] = corner(level - 1);
     blit.dstOffsets[1] = corner(level);
-    device_.fn().vkCmdBlitImage(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, store->image,
-                                VK_IMAGE_LAYOUT_GENERAL, 1, &blit, VK_FILTER_LINEAR);
+    recorder.device().fn().vkCmdBlitImage(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, store->image,
+                                          VK_IMAGE_LAYOUT_GENERAL, 1, &blit, VK_FILTER_LINEAR);
   }
-  commands_.write(image.held());
+  return true;
+}
+
+}  // namespace
+
+bool generateMipmaps(Recorder& recorder, VulkanImage& image) {
+  if (!doPendingClear(recorder, image)) return false;
+  ImageStore* const store = writableMapped(recorder, image, false);
+  if (!store) return blitMipmaps(recorder, image);
+  for (int layer = 0; layer < store->layers; ++layer)
+    for (int level = 1; level < image.desc().levels; ++level) halve(image, *store, level, layer);
   return true;
 }
 

@@ -1,10 +1,11 @@
-// glReadPixels (section 4.3.1): straight from mapped memory where the color image is there, else by a copy.
+#include "layer/vulkan/images/read_back.h"
+
 #include <vector>
 
 #include "layer/render/pixels.h"
-#include "layer/vulkan/context.h"
 #include "layer/vulkan/device/device.h"
-#include "layer/vulkan/device/timeline.h"
+#include "layer/vulkan/images/stores.h"
+#include "layer/vulkan/recording/recorder.h"
 
 namespace anteroom::vulkan {
 namespace {
@@ -29,55 +30,63 @@ class RowReader {
   std::vector<std::byte> row_;
 };
 
+// Rows of texels as the store has them.
+struct Texels {
+  const std::byte* first = nullptr;  // null: out of memory, or the device is lost
+  size_t pitch = 0;                  // bytes
+};
+
+Texels mappedTexels(Recorder& recorder, const VulkanImage& image, const ImageStore& store,
+                    const render::Attachment& from, const VkRect2D& area) {
+  if (!recorder.waitFor(store)) return {};
+  const bool volume = store.type == VK_IMAGE_TYPE_3D;
+  const ImageStore::Plane& plane = store.plane(from.level, volume ? 0 : from.layer);
+  return {store.mapped + plane.offset + (volume ? from.layer * plane.slicePitch : 0) +
+              area.offset.y * plane.rowPitch + static_cast<size_t>(area.offset.x) * image.format().bytes,
+          plane.rowPitch};
+}
+
+Texels copiedTexels(Recorder& recorder, const VulkanImage& image, const std::shared_ptr<ImageStore>& store,
+                    const render::Attachment& from, const VkRect2D& area) {
+  const bool volume = store->type == VK_IMAGE_TYPE_3D;
+  const size_t pitch = static_cast<size_t>(area.extent.width) * image.format().bytes;
+  if (!recorder.commands()) return {};
+  const StreamPiece piece = recorder.readBack().allocate(pitch * area.extent.height, 16);
+  if (!piece) return {};
+  const VkCommandBuffer commands = recorder.beginTransfer(&store, nullptr);
+  VkBufferImageCopy copy{};
+  copy.bufferOffset = piece.offset;
+  copy.imageSubresource = layersOf(from.level, volume ? 0 : from.layer);
+  copy.imageOffset = {area.offset.x, area.offset.y, volume ? from.layer : 0};
+  copy.imageExtent = {area.extent.width, area.extent.height, 1};
+  recorder.device().fn().vkCmdCopyImageToBuffer(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, piece.buffer,
+                                                1, &copy);
+  if (!recorder.submit() || !recorder.waitForSubmitted()) return {};
+  return {piece.mapped, pitch};
+}
+
 }  // namespace
 
-bool VulkanContext::readPixels(const render::Framebuffer& framebuffer, const render::Rect& rect,
-                               Format format, void* out, size_t rowPitch) {
-  flushBatch();
+bool readPixels(Recorder& recorder, const render::Framebuffer& framebuffer, const render::Rect& rect,
+                Format format, void* out, size_t rowPitch) {
   const Target target = targetOf(framebuffer);
   const render::Rect inside = clipped(rect, target);
   const render::Attachment& from = framebuffer.readable();
   if (!from.image || inside.width <= 0 || inside.height <= 0) return true;
   VulkanImage& image = vulkan(*from.image);
-  if (image.pending.aspects && !materialise(image)) return false;
-  ImageStore* const store = readable(image);
+  const std::shared_ptr<ImageStore>* const store = readableStore(recorder, image);
   if (!store) return false;
-
   const VkRect2D area = flipped(inside, target);
-  const std::byte* texels;
-  size_t pitch;
-  const bool volume = store->type == VK_IMAGE_TYPE_3D;
-  if (store->mapped) {
-    if (!waitFor(*store)) return false;
-    const ImageStore::Plane& plane = store->plane(from.level, volume ? 0 : from.layer);
-    pitch = plane.rowPitch;
-    texels = store->mapped + plane.offset + (volume ? from.layer * plane.slicePitch : 0) +
-             area.offset.y * pitch + static_cast<size_t>(area.offset.x) * image.format().bytes;
-  } else {
-    pitch = static_cast<size_t>(area.extent.width) * image.format().bytes;
-    const VkCommandBuffer commands = commands_.commands();
-    const StreamPiece piece = readBack_.allocate(pitch * area.extent.height, 16);
-    if (!commands || !piece) return false;
-    leavePass(*store, false);
-    VkBufferImageCopy copy{};
-    copy.bufferOffset = piece.offset;
-    copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, static_cast<uint32_t>(from.level),
-                             static_cast<uint32_t>(volume ? 0 : from.layer), 1};
-    copy.imageOffset = {area.offset.x, area.offset.y, volume ? from.layer : 0};
-    copy.imageExtent = {area.extent.width, area.extent.height, 1};
-    device_.fn().vkCmdCopyImageToBuffer(commands, store->image, VK_IMAGE_LAYOUT_GENERAL, piece.buffer, 1,
-                                        &copy);
-    commands_.read(heldReadable(image));
-    if (!submit() || !device_.timeline().wait(commands_.lastSubmitted(), UINT64_MAX)) return false;
-    texels = piece.mapped;
-  }
-
+  const Texels texels = (*store)->mapped ? mappedTexels(recorder, image, **store, from, area)
+                                         : copiedTexels(recorder, image, *store, from, area);
+  if (!texels.first) return false;
   RowReader reader(image, format);
   const size_t left = static_cast<size_t>(int64_t{inside.x} - rect.x) * render::info(format).bytes;
   for (int y = 0; y < inside.height; ++y) {
     const int row = target.yDown ? inside.height - 1 - y : y;
     const auto at = static_cast<size_t>(int64_t{inside.y} + y - rect.y);
-    reader.read(texels + row * pitch, inside.width, static_cast<std::byte*>(out) + at * rowPitch + left);
+    reader.read(texels.first + row * texels.pitch, inside.width,
+                static_cast<std::byte*>(out) + at * rowPitch + left);
   }
   return true;
 }

@@ -236,24 +236,6 @@ bool translateViewport(const render::State& state, const Target& target, const V
 
 }  // namespace
 
-VkPrimitiveTopology topologyOf(GLenum mode) {
-  switch (mode) {
-    case GL_POINTS:
-      return VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
-    case GL_LINES:
-      return VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
-    case GL_LINE_LOOP:
-    case GL_LINE_STRIP:
-      return VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
-    case GL_TRIANGLE_STRIP:
-      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-    case GL_TRIANGLE_FAN:
-      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
-    default:
-      return VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  }
-}
-
 DrawStateResult translate(const render::State& state, const Target& target, const Features& features,
                           const VkPhysicalDeviceLimits& limits, DrawState& out) {
   DrawStateResult result;

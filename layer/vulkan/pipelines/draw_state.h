@@ -39,7 +39,6 @@ DrawStateResult translate(const render::State& state, const Target& target, cons
 // The same without what the device takes as dynamic state.
 BakedState baked(const BakedState& state, const Features& features);
 
-VkPrimitiveTopology topologyOf(GLenum mode);
 // Sends what differs from what was sent before, or all of it.
 void emit(const VulkanDevice& device, VkCommandBuffer commands, uint32_t samples, const DrawState& wanted,
           DrawState& sent, bool all);

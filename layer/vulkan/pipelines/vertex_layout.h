@@ -1,4 +1,4 @@
-// The vertex arrays of a pipeline.
+// The vertex arrays of a pipeline, and what else its vertices bring.
 #pragma once
 
 #include <array>
@@ -7,6 +7,10 @@
 #include "gen/gen.h"
 
 namespace anteroom::vulkan {
+
+// What each vertex brings although GL has no array of it: the current color, or all that would be push
+// constants. Draws that differ in nothing else can then be one.
+enum class Carried : uint8_t { Nothing, Color, Values };
 
 // GL's arrays, and what else each vertex may bring.
 inline constexpr uint32_t kMostArrays = gen::kAttributeCount + gen::kMostOwnValues;
