@@ -44,7 +44,7 @@ std::unique_ptr<render::Device> createDevice(const DeviceOptions& options, std::
 }
 
 std::unique_ptr<VulkanDevice> VulkanDevice::create(const DeviceOptions& options, std::string& error) {
-  NoFork::watch();
+  NoFork::guardForks();
   NoFork::prepareChild();
   std::unique_ptr<VulkanDevice> device(new VulkanDevice);
   if (!device->initialise(options, error)) return nullptr;
@@ -89,7 +89,7 @@ bool VulkanDevice::initialise(const DeviceOptions& options, std::string& error) 
   warmUp_ = std::make_unique<PipelineWarmUp>(*this);
   if (timeline_->initialise() && createLayouts()) {
     if (debug_.captureFrame) capture_ = std::make_unique<FrameCapture>(instance_.handle, debug_.captureFrame);
-    restAtEnd(*this);
+    finishAtExit(*this);
     return true;
   }
   error = "the Vulkan device is out of memory";
@@ -101,18 +101,18 @@ void VulkanDevice::wait() {
   presenter_->wait(nullptr);
 }
 
-void VulkanDevice::rest() {
+void VulkanDevice::finishWork() {
   timeline_->end();
-  restThreads();
+  waitForThreads();
 }
 
-void VulkanDevice::restThreads() {
+void VulkanDevice::waitForThreads() {
   warmUp_->stop();
   presenter_->wait(nullptr);
 }
 
 VulkanDevice::~VulkanDevice() {
-  forgetAtEnd(*this);
+  forgetAtExit(*this);
   if (handle_) {
     capture_.reset();
     warmUp_.reset();

@@ -59,9 +59,9 @@ class VulkanDevice : public render::Device {
   void endFrame() override;
 
   // The process ends: see process_end.h.
-  void rest();
-  // The same without a word to the driver, of which parts may be gone.
-  void restThreads();
+  void finishWork();
+  // The same without calls of the driver, of which parts may be gone.
+  void waitForThreads();
   // All that was submitted is done and shown.
   void wait();
 

@@ -74,7 +74,7 @@ NoFork::~NoFork() {
   if (--depth == 0) gate.unlock_shared();
 }
 
-void NoFork::watch() {
+void NoFork::guardForks() {
   static const int registered = pthread_atfork(before, afterInParent, afterInChild);
   static_cast<void>(registered);
 }

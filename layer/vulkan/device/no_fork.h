@@ -12,8 +12,8 @@ class NoFork {
   NoFork(const NoFork&) = delete;
   NoFork& operator=(const NoFork&) = delete;
 
-  // From now on.
-  static void watch();
+  // Forks wait from now on; before, none does.
+  static void guardForks();
   // Before a device is made in a process that was forked from one with a device.
   static void prepareChild();
 };

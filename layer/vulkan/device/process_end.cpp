@@ -29,15 +29,15 @@ struct Devices {
         if (devices->process != getpid()) return;
         const std::lock_guard lock(devices->mutex);
         for (const Entry& entry : devices->all)
-          if (entry.process == getpid()) entry.device->restThreads();
+          if (entry.process == getpid()) entry.device->waitForThreads();
       }
     } end;
     return *devices;
   }
 };
 
-// Destroyed when its thread ends, and first of all by exit(). Only the first thread's end is surely the
-// process's.
+// Destroyed when its thread ends, and first of all by exit(). Only the first thread's end is for
+// certain the process's.
 struct Worker {
   ~Worker() {
     const bool ends = gettid() == getpid();
@@ -47,7 +47,7 @@ struct Worker {
     for (const Devices::Entry& entry : devices.all) {
       if (entry.process != getpid()) continue;
       if (ends)
-        entry.device->rest();
+        entry.device->finishWork();
       else
         entry.device->wait();
     }
@@ -62,7 +62,7 @@ void noteWorker() {
   worker.noted = true;
 }
 
-void restAtEnd(VulkanDevice& device) {
+void finishAtExit(VulkanDevice& device) {
   noteWorker();
   Devices& devices = Devices::ofProcess();
   const std::lock_guard lock(devices.mutex);
@@ -70,7 +70,7 @@ void restAtEnd(VulkanDevice& device) {
   devices.all.push_back({&device, getpid()});
 }
 
-void forgetAtEnd(VulkanDevice& device) {
+void forgetAtExit(VulkanDevice& device) {
   Devices& devices = Devices::ofProcess();
   const std::lock_guard lock(devices.mutex);
   std::erase_if(devices.all, [&](const Devices::Entry& entry) { return entry.device == &device; });

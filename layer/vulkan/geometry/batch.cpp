@@ -63,7 +63,7 @@ gen::Groups Batch::chooseCarried(const render::State& state, const render::DrawC
 gen::Groups Batch::setCarried(Carried carried) {
   valueChanges_ = alone_ = 0;
   if (carried == carried_) return 0;
-  // To and fro costs more than it gains.
+  // Changing back and forth costs more than it saves.
   if (carried == Carried::Nothing && valueChangesNeeded_ < (1u << 20)) valueChangesNeeded_ *= 2;
   carried_ = carried;
   return gen::kGroupCurrentColor | gen::kGroupPrimitive;

@@ -40,7 +40,7 @@ bool loadSamples(Recorder& recorder, const Target& target, Counted counted) {
   ImageStore* const store = texture.store();
   if (!store) return false;
   const Contents now{store->id, store->version, target.resolveLevel, target.resolveLayer};
-  if (cleared || target.color->follows == now) return true;
+  if (cleared || target.color->resolvedInto == now) return true;
   if (texture.alphaStale && !makeOpaque(recorder, texture, target.resolveLevel, target.resolveLayer, counted))
     return false;
   const VkImageView texels = store->attachmentView(target.resolveLevel, target.resolveLayer);

@@ -35,17 +35,17 @@ bool doPendingClear(Recorder& recorder, VulkanImage& image) {
 const std::shared_ptr<ImageStore>* readableStore(Recorder& recorder, VulkanImage& image) {
   if (!doPendingClear(recorder, image) || !image.store()) return nullptr;
   if (image.desc().samples == 1) return &image.held();
-  if (!image.resolved()) return nullptr;
-  if (!image.resolveStale) return &image.heldResolved();
-  const VkCommandBuffer commands = recorder.beginTransfer(&image.held(), &image.heldResolved());
+  if (!image.averaged()) return nullptr;
+  if (!image.averageStale) return &image.heldAveraged();
+  const VkCommandBuffer commands = recorder.beginTransfer(&image.held(), &image.heldAveraged());
   if (!commands) return nullptr;
   VkImageResolve region{};
   region.srcSubresource = region.dstSubresource = layersOf(0, 0);
   region.extent = {static_cast<uint32_t>(image.desc().width), static_cast<uint32_t>(image.desc().height), 1};
   recorder.device().fn().vkCmdResolveImage(commands, image.held()->image, VK_IMAGE_LAYOUT_GENERAL,
-                                           image.heldResolved()->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
-  image.resolveStale = false;
-  return &image.heldResolved();
+                                           image.heldAveraged()->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+  image.averageStale = false;
+  return &image.heldAveraged();
 }
 
 ImageStore* writableMapped(Recorder& recorder, VulkanImage& image, bool whole) {

@@ -11,7 +11,7 @@ bool PassEncoder::require(const Target& target, bool withDepth) {
   // A pass that is opened anew on its own target keeps its depth.
   const bool keepDepth = active_ && target_.same(target) && hasDepth();
   end();
-  // Depth that is about to be cleared is surely used.
+  // Depth that is about to be cleared will be used.
   const bool clearsUsed = target.depth && target.depth->hasStore() && target.depth->pending.aspects;
   return begin(target, withDepth || keepDepth || clearsUsed);
 }
@@ -30,11 +30,11 @@ bool PassEncoder::attach(const Target& target, bool withDepth, Attached& out) co
          take(target.resolve, target.resolveLevel, target.resolveLayer, out.resolve, out.resolveView);
 }
 
-// The samples and the level that they are resolved into are of one mind.
-void PassEncoder::follow() {
+// From now on the level holds the mean of the samples.
+void PassEncoder::noteResolved() {
   commands_.write(target_.resolve->held());
-  target_.color->follows = {attached_.resolve->id, attached_.resolve->version, target_.resolveLevel,
-                            target_.resolveLayer};
+  target_.color->resolvedInto = {attached_.resolve->id, attached_.resolve->version, target_.resolveLevel,
+                                 target_.resolveLayer};
 }
 
 void PassEncoder::resolveAfterPass() {
@@ -48,7 +48,7 @@ void PassEncoder::resolveAfterPass() {
   device_.fn().vkCmdResolveImage(commands_.commands(), attached_.color->image, VK_IMAGE_LAYOUT_GENERAL,
                                  attached_.resolve->image, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
   commands_.read(target_.color->held());
-  follow();
+  noteResolved();
 }
 
 // Clears that were put off become load operations.
@@ -81,12 +81,12 @@ bool PassEncoder::begin(const Target& target, bool withDepth) {
   takeClears(target, attached, start);
   if (attached.color) {
     commands_.write(target.color->held());
-    target.color->resolveStale = true;
+    target.color->averageStale = true;
   }
   if (attached.depth) commands_.write(target.depth->held());
   target_ = target;
   attached_ = attached;
-  if (attached.resolve) follow();
+  if (attached.resolve) noteResolved();
   if (target.resolveLayer != 0 && device_.quirks().resolvesFirstLayer) attached_.resolveView = VK_NULL_HANDLE;
   formats_ = {attached.color ? attached.color->format : VK_FORMAT_UNDEFINED,
               attached.depth ? attached.depth->format : VK_FORMAT_UNDEFINED,

@@ -45,7 +45,7 @@ class PassEncoder {
   };
   bool begin(const Target& target, bool withDepth);
   bool attach(const Target& target, bool withDepth, Attached& out) const;
-  void follow();
+  void noteResolved();
   void resolveAfterPass();
   void takeClears(const Target& target, const Attached& attached, Start& start) const;
   void beginDynamic(VkCommandBuffer commands, const Start& start);

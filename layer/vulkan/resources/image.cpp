@@ -197,7 +197,7 @@ std::shared_ptr<ImageStore> VulkanImage::createStore(int samples, bool overwritt
 void VulkanImage::setLabel(std::string_view text) {
   label_ = text;
   if (store_) nameStore(*store_, desc_.samples);
-  if (resolved_) nameStore(*resolved_, 1);
+  if (averaged_) nameStore(*averaged_, 1);
 }
 
 // "brick (texture 5) 512x512 RGB8, 10 levels"
@@ -224,9 +224,9 @@ ImageStore* VulkanImage::store(bool overwritten) {
   return store_.get();
 }
 
-ImageStore* VulkanImage::resolved() {
-  if (!resolved_) resolved_ = createStore(1, true);
-  return resolved_.get();
+ImageStore* VulkanImage::averaged() {
+  if (!averaged_) averaged_ = createStore(1, true);
+  return averaged_.get();
 }
 
 std::shared_ptr<ImageStore> VulkanImage::replaceStore() {

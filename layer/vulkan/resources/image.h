@@ -111,9 +111,10 @@ class VulkanImage final : public render::Image {
   void setStore(std::shared_ptr<ImageStore> store) { store_ = std::move(store); }
   // Puts an idle store in the place of the present one and returns the former. Null: out of memory.
   std::shared_ptr<ImageStore> replaceStore();
-  // A store with one sample a pixel, for the contents of a multisampled image. Null: out of memory.
-  ImageStore* resolved();
-  const std::shared_ptr<ImageStore>& heldResolved() const { return resolved_; }
+  // A store with one sample a pixel, for the mean of the samples of a multisampled image. Null: out of
+  // memory.
+  ImageStore* averaged();
+  const std::shared_ptr<ImageStore>& heldAveraged() const { return averaged_; }
 
   const StoreFormat& format() const { return format_; }
   int levelWidth(int level) const { return std::max(1, desc_.width >> level); }
@@ -123,8 +124,8 @@ class VulkanImage final : public render::Image {
   size_t bytes() const;
 
   PendingClear pending;
-  bool resolveStale = true;
-  Contents follows;         // samples that belong to a level of another image: what they were resolved into
+  bool averageStale = true;
+  Contents resolvedInto;    // samples that belong to a level of another image: what they were resolved into
   bool alphaStale = false;  // an opaque format whose stored alpha is not 1
 
  private:
@@ -134,7 +135,7 @@ class VulkanImage final : public render::Image {
   VulkanDevice& device_;
   const StoreFormat format_;
   std::string label_;
-  std::shared_ptr<ImageStore> store_, resolved_;
+  std::shared_ptr<ImageStore> store_, averaged_;
   std::vector<std::shared_ptr<ImageStore>> spares_;  // former stores, to be used again when idle
 };
 

@@ -13,7 +13,7 @@ namespace anteroom::vulkan {
 VkResult Swapchain::create(VulkanDevice& device, const SwapchainDesc& desc, const Swapchain* former,
                            std::unique_ptr<Swapchain>& out) {
   // Its last picture is shown before another has the window.
-  if (former) former->settle();
+  if (former) former->waitUntilShown();
   std::unique_ptr<Swapchain> made(new Swapchain(device, desc));
   VkSwapchainCreateInfoKHR info{VK_STRUCTURE_TYPE_SWAPCHAIN_CREATE_INFO_KHR};
   info.surface = desc.surface;
@@ -74,7 +74,7 @@ VkResult Swapchain::createSemaphore(VkSemaphore& out) {
 
 Swapchain::~Swapchain() {
   const auto& fn = device_.fn();
-  settle();
+  waitUntilShown();
   if (acquired() && device_.removeFreshImage(store()->image))
     device_.timeline().consume(images_[acquired_].ready);
   // Nothing tells when a present is done but the queue.
@@ -88,7 +88,7 @@ Swapchain::~Swapchain() {
   fn.vkDestroySwapchainKHR(device_.handle(), handle_, nullptr);
 }
 
-void Swapchain::settle() const {
+void Swapchain::waitUntilShown() const {
   if (desc_.presentsBeside) device_.presenter().wait(this);
 }
 
@@ -100,7 +100,7 @@ VkResult Swapchain::acquire() {
       fn.vkAcquireNextImageKHR(device_.handle(), handle_, UINT64_MAX, spare_, VK_NULL_HANDLE, &index);
   if (result != VK_SUCCESS && result != VK_SUBOPTIMAL_KHR) return result;
   acquired_ = static_cast<int>(index);
-  // The semaphore of the image's last turn is at rest: the image would not be here otherwise.
+  // Nobody waits any more for the semaphore of the image's last turn: it could not be acquired otherwise.
   std::swap(images_[index].ready, spare_);
   const bool shown = images_[index].picture != 0;
   device_.addFreshImage({images_[index].store, images_[index].store->image, VK_IMAGE_ASPECT_COLOR_BIT,
@@ -128,7 +128,7 @@ VkResult Swapchain::present(uint64_t serial, std::span<const render::Rect> damag
   const auto image = static_cast<uint32_t>(std::exchange(acquired_, -1));
   images_[image].picture = ++pictures_;
   if (desc_.presentsBeside) {
-    settle();  // one at a time: there are no images for more
+    waitUntilShown();  // one at a time: there are no images for more
     device_.presenter().add(*this, image, serial, damage_);
   } else {
     show(image, damage_);

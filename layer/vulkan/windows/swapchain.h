@@ -62,8 +62,8 @@ class Swapchain {
     uint64_t picture = 0;  // that it showed last; 0: none
   };
   Swapchain(VulkanDevice& device, const SwapchainDesc& desc) : device_(device), desc_(desc) {}
-  // No picture is being shown.
-  void settle() const;
+  // Waits until no picture is being shown.
+  void waitUntilShown() const;
   VkResult createImages();
   VkResult createSemaphore(VkSemaphore& out);
 
