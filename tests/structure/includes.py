@@ -27,6 +27,18 @@ TESTING = r"gtest/|gmock/|benchmark/"
 
 ANYTHING = r""
 
+
+def renderer(*parts):
+    """The rule of a part of layer/vulkan: of the renderer it may include these parts."""
+    ours = [f"layer/vulkan/{part}" for part in parts]
+    return (ours + ["layer/cache", "layer/render", "gen"], [r"EGL/", r"GLFW/", PICTURES, TESTING])
+
+
+WHOLE_RENDERER = renderer(
+    "vulkan_device.h", "context.h", "device", "debug", "pipelines", "resources", "geometry", "plan", "recording",
+    "images", "windows"
+)
+
 # Folder or file: (what of ours it may include: folders or single files, which foreign headers it may not include).
 # The longest that holds a file rules it.
 RULES = {
@@ -36,9 +48,24 @@ RULES = {
     "layer/render": (["layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
     "layer/gl": (["layer/gl", "layer/render", "gen"], [VULKAN, r"EGL/", r"glslang/", WINDOWS, PICTURES, TESTING]),
     "layer/egl": (["layer/egl", "layer/gl", "layer/render", "gen"], [VULKAN, r"glslang/", r"GLFW/", PICTURES, TESTING]),
-    "layer/vulkan": (["layer/vulkan", "layer/cache", "layer/render", "gen"], [r"EGL/", r"GLFW/", PICTURES, TESTING]),
+    "layer/vulkan": WHOLE_RENDERER,
     # What others know of the renderer, in their terms.
     "layer/vulkan/vulkan_device.h": (["layer/render", "gen"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
+    "layer/vulkan/device": renderer("device", "debug/labels.h", "vulkan_device.h"),
+    # It makes the parts that contexts share.
+    "layer/vulkan/device/device.cpp": WHOLE_RENDERER,
+    "layer/vulkan/debug": renderer("debug", "device"),
+    "layer/vulkan/pipelines": renderer("pipelines", "device", "debug"),
+    "layer/vulkan/resources": renderer("resources", "device"),
+    # Neither of these two records anything, or knows of the other.
+    "layer/vulkan/geometry": renderer("geometry", "pipelines/vertex_layout.h", "resources", "device"),
+    "layer/vulkan/plan": renderer("plan", "pipelines", "resources", "device"),
+    # Of the two before it sees the results alone.
+    "layer/vulkan/recording": renderer(
+        "recording", "geometry/geometry.h", "plan/draw_plan.h", "pipelines", "resources", "device"
+    ),
+    "layer/vulkan/images": renderer("images", "recording", "pipelines/own_shaders.h", "resources", "device"),
+    "layer/vulkan/windows": renderer("windows", "images", "recording", "resources", "device"),
     "layer/loader": (
         ["layer/loader", "layer/egl", "layer/gl", "layer/render", "gen", "layer/vulkan/vulkan_device.h"],
         [VULKAN, r"GLFW/", PICTURES, TESTING],
@@ -142,12 +169,17 @@ def self_check():
         "layer/render/d.h": "#  include <volk.h>",
         "layer/egl/e.cpp": '#include "layer/vulkan/vulkan_device.h"',
         "layer/vulkan/f.cpp": '#include "layer/gl/state.h"',
+        "layer/vulkan/device/a.cpp": '#include "layer/vulkan/recording/recorder.h"',
+        "layer/vulkan/geometry/a.cpp": '#include "layer/vulkan/recording/recorder.h"',
+        "layer/vulkan/images/a.cpp": '#include "layer/vulkan/context.h"',
+        "layer/vulkan/plan/a.cpp": '#include "layer/vulkan/geometry/geometry.h"',
+        "layer/vulkan/recording/a.cpp": '#include "layer/vulkan/images/clear.h"',
         "layer/cache/m.cpp": '#include "layer/render/state.h"',
         "layer/cache/n.h": '#include "layer/vulkan/vulkan_device.h"',
         "layer/render/o.h": '#include "layer/cache/store.h"',
         "layer/gl/p.cpp": '#include "layer/cache/store.h"',
         "layer/loader/q.cpp": '#include "layer/tools/cache/read.h"',
-        "layer/loader/r.cpp": '#include "layer/vulkan/memory.h"',
+        "layer/loader/r.cpp": '#include "layer/vulkan/device/memory.h"',
         "layer/tools/info/s.cpp": '#include "layer/egl/display.h"',
         "layer/tools/cache/t.cpp": "#include <vulkan/vulkan.h>",
         "layer/other/u.cpp": "",
@@ -171,7 +203,12 @@ def self_check():
         "layer/tools/cache/read.h": '#include "layer/cache/store.h"\n#include "layer/vulkan/vulkan_device.h"',
         "layer/vulkan/vulkan_device.h": '#include "layer/render/state.h"',
         "layer/vulkan/pipelines/library.cpp": '#include "layer/cache/store.h"',
-        "layer/vulkan/memory.h": "#include <volk.h>",
+        "layer/vulkan/context.h": '#include "layer/vulkan/recording/recorder.h"',
+        "layer/vulkan/device/device.cpp": '#include "layer/vulkan/context.h"',
+        "layer/vulkan/device/memory.h": "#include <volk.h>",
+        "layer/vulkan/geometry/geometry.h": "#include <volk.h>",
+        "layer/vulkan/images/clear.h": '#include "layer/render/state.h"',
+        "layer/vulkan/recording/recorder.h": '#include "layer/vulkan/geometry/geometry.h"',
         "gen/key.h": "#include <GLES/gl.h>",
         "demos/room/mesh.cpp": '#include "mesh.h"\n#include <GLES/gl.h>',
         "demos/room/mesh.h": "",

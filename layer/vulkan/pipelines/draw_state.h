@@ -4,13 +4,12 @@
 
 #include <volk.h>
 
-#include "layer/render/state.h"
+#include <cstdint>
+#include <type_traits>
+
 #include "layer/vulkan/device/features.h"
-#include "layer/vulkan/resources/target.h"
 
 namespace anteroom::vulkan {
-
-class VulkanDevice;
 
 // State that a pipeline bakes on devices where it is not dynamic. Bytes only: hashed and compared whole.
 struct BakedState {
@@ -29,18 +28,7 @@ struct DrawState {
   uint32_t stencilCompareMask = 0xff, stencilWriteMask = 0xff, stencilReference = 0;
 };
 
-// Whether nothing can be drawn: an empty viewport or scissor, both faces culled (triangles only).
-struct DrawStateResult {
-  bool nothing = false;
-};
-DrawStateResult translate(const render::State& state, const Target& target, const Features& features,
-                          const VkPhysicalDeviceLimits& limits, DrawState& out);
-
-// The same without what the device takes as dynamic state.
+// The state without what the device takes as dynamic state.
 BakedState baked(const BakedState& state, const Features& features);
-
-// Sends what differs from what was sent before, or all of it.
-void emit(const VulkanDevice& device, VkCommandBuffer commands, uint32_t samples, const DrawState& wanted,
-          DrawState& sent, bool all);
 
 }  // namespace anteroom::vulkan

@@ -6,6 +6,7 @@
 
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/pipelines/shader_library.h"
+#include "layer/vulkan/plan/translate.h"
 #include "layer/vulkan/resources/sampler.h"
 
 namespace anteroom::vulkan {
@@ -39,9 +40,8 @@ bool DrawPlanner::update(const render::State& state, Groups changed, Carried car
   updateTarget(state, changed);
   if (keysChanged(state, changed) && !updateKeys(state, carried, made)) return false;
   if (changed & kDrawStateGroups)
-    plan_.nothing =
-        translate(state, plan_.target, device_.features(), device_.limits(), plan_.state).nothing ||
-        (!plan_.target.color && !plan_.target.depth);
+    plan_.nothing = !translate(state, plan_.target, device_.features(), device_.limits(), plan_.state) ||
+                    (!plan_.target.color && !plan_.target.depth);
   updateConstants(state, changed, made);
   if (changed & gen::kGroupTextures || made.fragment) updateTextures(state);
   complete_ = true;

@@ -1,8 +1,8 @@
-// What a draw sends as dynamic state: only what changed.
+#include "layer/vulkan/recording/dynamic_state.h"
+
 #include <cstring>
 
 #include "layer/vulkan/device/device.h"
-#include "layer/vulkan/pipelines/draw_state.h"
 
 namespace anteroom::vulkan {
 namespace {

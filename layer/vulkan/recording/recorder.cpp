@@ -5,6 +5,7 @@
 #include "layer/vulkan/device/device.h"
 #include "layer/vulkan/device/timeline.h"
 #include "layer/vulkan/pipelines/pipeline_cache.h"
+#include "layer/vulkan/recording/dynamic_state.h"
 #include "layer/vulkan/resources/sampler.h"
 
 namespace anteroom::vulkan {
