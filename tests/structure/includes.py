@@ -24,6 +24,7 @@ GL_API = r"GLES/|EGL/|KHR/"
 WINDOWS = r"GLFW/|xcb/|X11/|wayland"
 PICTURES = r"OpenImageIO/"
 TESTING = r"gtest/|gmock/|benchmark/"
+GL_FOREIGN = [VULKAN, r"EGL/", r"glslang/", WINDOWS, PICTURES, TESTING]
 
 ANYTHING = r""
 
@@ -46,8 +47,24 @@ RULES = {
     "gen": (["gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
     "layer/cache": (["layer/cache", "gen"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
     "layer/render": (["layer/render", "gen"], [VULKAN, r"EGL/", WINDOWS, PICTURES, TESTING]),
-    "layer/gl": (["layer/gl", "layer/render", "gen"], [VULKAN, r"EGL/", r"glslang/", WINDOWS, PICTURES, TESTING]),
-    "layer/egl": (["layer/egl", "layer/gl", "layer/render", "gen"], [VULKAN, r"glslang/", r"GLFW/", PICTURES, TESTING]),
+    "layer/gl": (["layer/gl", "layer/render", "gen"], GL_FOREIGN),
+    # Chapters of the specification know of each other what is bound and what is drawn to, and no more.
+    **{
+        f"layer/gl/{folder}": (
+            [f"layer/gl/{name}" for name in [folder, "context", "queries", "debug", *others]] + ["layer/render", "gen"],
+            GL_FOREIGN,
+        )
+        for folder, others in {
+            "vertices": ["textures"],
+            "fragments": [],
+            "textures": ["framebuffers"],
+            "framebuffers": ["textures"],
+        }.items()
+    },
+    "layer/egl": (
+        ["layer/egl", "layer/gl/front_end.h", "layer/render", "gen"],
+        [VULKAN, r"glslang/", r"GLFW/", PICTURES, TESTING],
+    ),
     "layer/vulkan": WHOLE_RENDERER,
     # What others know of the renderer, in their terms.
     "layer/vulkan/vulkan_device.h": (["layer/render", "gen"], [VULKAN, GL_API, WINDOWS, PICTURES, TESTING]),
@@ -166,8 +183,10 @@ def self_check():
         "layer/gl/a.cpp": "#include <vulkan/vulkan.h>",
         "layer/gl/b.cpp": '#include "layer/vulkan/vulkan_device.h"',
         "layer/gl/c.cpp": '#include "../egl/display.h"',
+        "layer/gl/fragments/m.cpp": '#include "layer/gl/textures/texture.h"',
         "layer/render/d.h": "#  include <volk.h>",
         "layer/egl/e.cpp": '#include "layer/vulkan/vulkan_device.h"',
+        "layer/egl/n.cpp": '#include "layer/gl/context/context.h"',
         "layer/vulkan/f.cpp": '#include "layer/gl/state.h"',
         "layer/vulkan/device/a.cpp": '#include "layer/vulkan/recording/recorder.h"',
         "layer/vulkan/geometry/a.cpp": '#include "layer/vulkan/recording/recorder.h"',
@@ -196,8 +215,9 @@ def self_check():
     }
     good = {
         "layer/gl/state.h": '#include "layer/render/state.h"',
+        "layer/gl/textures/texture.h": '#include "layer/gl/framebuffers/framebuffer.h"',
         "layer/render/state.h": '#include "gen/key.h"\n#include <array>',
-        "layer/egl/display.h": '#include "layer/gl/state.h"',
+        "layer/egl/display.h": '#include "layer/gl/front_end.h"',
         "layer/cache/store.h": '#include "gen/key.h"',
         "layer/loader/renderers.cpp": '#include "layer/vulkan/vulkan_device.h"\n#include "layer/egl/display.h"',
         "layer/tools/cache/read.h": '#include "layer/cache/store.h"\n#include "layer/vulkan/vulkan_device.h"',
