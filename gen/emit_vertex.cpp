@@ -163,12 +163,12 @@ void writeColor(const VertexKey& key, Shader& shader) {
     return;
   }
   defineIlluminate(key, shader);
-  std::string rest = key.positional ? ", point" : "";
-  if (key.colorMaterial) rest += key.lights ? ", color" : "color";
-  shader.line("frontColor = illuminate({}{});", key.lights ? "eyeNormal" : "", rest);
+  std::string moreArguments = key.positional ? ", point" : "";
+  if (key.colorMaterial) moreArguments += key.lights ? ", color" : "color";
+  shader.line("frontColor = illuminate({}{});", key.lights ? "eyeNormal" : "", moreArguments);
   if (!key.twoSided) return;
   shader.declareLine("layout(location = {}) out vec4 backColor;", kBackColorLocation);
-  shader.line("backColor = illuminate(-eyeNormal{});", rest);
+  shader.line("backColor = illuminate(-eyeNormal{});", moreArguments);
 }
 
 std::string_view swizzle(Coordinate coordinate) {

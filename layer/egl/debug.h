@@ -1,4 +1,4 @@
-// EGL_KHR_debug: messages about errors, for whoever listens, and labels of objects.
+// EGL_KHR_debug: messages about errors, for a callback, and labels of objects.
 #pragma once
 
 #include <EGL/egl.h>
@@ -9,7 +9,7 @@ namespace anteroom::egl {
 // A command fails: sets the thread's error and tells the callback, if there is one. Not under the lock.
 void fail(EGLint code, const char* command) noexcept;
 
-// The object that the present command works on; the first one that is no display counts. Null: none yet.
+// The object that the current command works on; the first one that is no display counts. Null: none yet.
 void notePrimary(const void* handle, bool isDisplay);
 
 // An object is gone. Under the lock.

@@ -66,8 +66,8 @@ class ShareGroup {
   std::atomic<int> contexts{0};
   std::atomic<bool> inCommand{false};  // the only context is, without the lock
   std::mutex mutex;
-  // Whether it ever had an EGLImage's sibling. Changes while nobody but the one who changes it is in a
-  // command of the group.
+  // Whether it ever had an EGLImage's sibling. It changes only while no other thread is in a command of the
+  // group.
   std::atomic<bool> sharesImages{false};
 };
 
@@ -176,7 +176,7 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   // Section 2.5: the first error stays until glGetError. KHR_no_error: there is none but that of memory.
-  // `command`: a helper hands on the name of the command that called it.
+  // `command`: a helper passes on the name of the command that called it.
   void setError(GLenum code, const Fault& fault = {}, const char* command = __builtin_FUNCTION()) {
     if (options.noError && code != GL_OUT_OF_MEMORY) return;
     if (error == GL_NO_ERROR) error = code;

@@ -106,7 +106,7 @@ void DebugOutput::message(DebugMessage m) {
 
 std::string describeError(GLenum code, const Fault& fault, const char* command) {
   const ErrorText& general = textOf(code);
-  // Helpers that hand on no name have none that a program would know.
+  // Helpers that pass on no name have none that a program would know.
   std::string text =
       std::string_view(command).starts_with("gl") ? std::string(command) + ": " : std::string();
   text += std::string(general.name) + ": ";

@@ -64,9 +64,9 @@ void scale(double x, double y, double z) {
 // Sine and cosine of an angle in degrees, exact at multiples of 90.
 void sineCosine(double degrees, double& sine, double& cosine) {
   int quadrant = 0;
-  const double rest = std::remquo(degrees, 90.0, &quadrant);
+  const double remainder = std::remquo(degrees, 90.0, &quadrant);
   constexpr double kRadians = 3.14159265358979323846 / 180.0;
-  const double s = std::sin(rest * kRadians), c = std::cos(rest * kRadians);
+  const double s = std::sin(remainder * kRadians), c = std::cos(remainder * kRadians);
   switch (quadrant & 3) {
     case 0:
       sine = s, cosine = c;
