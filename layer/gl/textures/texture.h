@@ -190,17 +190,17 @@ void initTextures(Context& c);
 // (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures was marked. False: out of memory.
 bool resolveTextureUnits(Context& c);
 
-// The slot of a binding target, and of a target that names an image. kSlotCount: none.
+// The slot of a target that textures are bound to. kSlotCount: it is none.
 TextureSlot bindingSlot(GLenum target);
+// The same, and the error is set when there is none.
+TextureSlot slotForCommand(Context& c, GLenum target, const char* command = __builtin_FUNCTION());
+
+// The slot and face of a target that names an image. kSlotCount: it is none.
 struct ImageTarget {
   TextureSlot slot = kSlotCount;
   int face = 0;
 };
 ImageTarget imageTarget(GLenum target);
-
-// What the messages of errors advise.
-inline constexpr const char* kTextureTargets =
-    "Use TEXTURE_2D, TEXTURE_CUBE_MAP_OES or another target of an extension";
 
 inline Texture& boundTexture(Context& c, TextureSlot slot) {
   return *c.units[static_cast<size_t>(c.activeTexture)].bound[slot];

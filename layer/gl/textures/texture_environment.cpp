@@ -125,6 +125,7 @@ gen::TextureUnit& activeUnit(Context& c) {
   return c.state.fixed.units[c.activeTexture];
 }
 
+constexpr const char* kEnvTargets = "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT";
 constexpr const char* kEnvNames = "Use a name of table 3.14, such as TEXTURE_ENV_MODE or COMBINE_RGB";
 
 void setScale(Context& c, float& field, float value, const char* command) {
@@ -158,10 +159,7 @@ void setEnv(GLenum target, GLenum pname, const Params& params, const char* comma
     return c->set(env.lodBias, params.number(), kTextures);
   }
   if (target != GL_TEXTURE_ENV)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT"),
-        command);
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kEnvTargets), command);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:
       if (!params.vector())
@@ -209,10 +207,7 @@ void getEnv(GLenum target, GLenum pname, Results results, const char* command = 
   if (target == GL_TEXTURE_FILTER_CONTROL_EXT && pname == GL_TEXTURE_LOD_BIAS_EXT)
     return results.put(Number, env.lodBias);
   if (target != GL_TEXTURE_ENV)
-    return c->setError(
-        GL_INVALID_ENUM,
-        wrongEnum("target", target, "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT"),
-        command);
+    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kEnvTargets), command);
   if (const GLenum* field = enumOf(env, pname)) return results.put(Enum, *field);
   if (!answer(kEnvQueries, *c, pname, results))
     c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);

@@ -96,6 +96,16 @@ TextureSlot bindingSlot(GLenum target) {
   }
 }
 
+TextureSlot slotForCommand(Context& c, GLenum target, const char* command) {
+  const TextureSlot slot = bindingSlot(target);
+  if (slot == kSlotCount)
+    c.setError(
+        GL_INVALID_ENUM,
+        wrongEnum("target", target, "Use TEXTURE_2D, TEXTURE_CUBE_MAP_OES or another target of an extension"),
+        command);
+  return slot;
+}
+
 ImageTarget imageTarget(GLenum target) {
   if (target == GL_TEXTURE_2D) return {kSlot2D, 0};
   if (target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z_OES) {
@@ -159,8 +169,8 @@ GL_API GLboolean GL_APIENTRY glIsTexture(GLuint texture) {
 GL_API void GL_APIENTRY glBindTexture(GLenum target, GLuint name) {
   Context* c = current();
   if (!c) return;
-  const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount) return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets));
+  const TextureSlot slot = slotForCommand(*c, target);
+  if (slot == kSlotCount) return;
   UnitBindings& unit = c->units[static_cast<size_t>(c->activeTexture)];
   ShareLock lock(*c->group);
   if (name == 0) return bind(*c, unit, slot, c->defaultTextures[slot]);

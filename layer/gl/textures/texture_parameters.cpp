@@ -40,9 +40,8 @@ void setParameter(GLenum target, GLenum pname, const Params& params,
                   const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
+  const TextureSlot slot = slotForCommand(*c, target, command);
+  if (slot == kSlotCount) return;
   if (params.null()) return;
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, slot);
@@ -104,9 +103,8 @@ constexpr auto kTextureQueries = tableOf<Query<Texture>>({
 void getParameter(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
-  const TextureSlot slot = bindingSlot(target);
-  if (slot == kSlotCount)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kTextureTargets), command);
+  const TextureSlot slot = slotForCommand(*c, target, command);
+  if (slot == kSlotCount) return;
   if (results.null()) return;
   ShareLock lock(*c->group);
   if (!answer(kTextureQueries, boundTexture(*c, slot), pname, results))
