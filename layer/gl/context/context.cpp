@@ -133,7 +133,7 @@ void Context::hear() {
 bool Context::framebufferComplete() {
   if (told) hear();
   if (boundFramebuffer) {
-    if (changed & gen::kGroupFramebuffer) resolveFramebuffer(*this);
+    if (changed & gen::kGroupFramebuffer) updateFramebuffer(*this);
   } else if (hasWindowToReady()) [[unlikely]] {
     readyWindows();
   }
@@ -141,7 +141,7 @@ bool Context::framebufferComplete() {
 }
 
 bool Context::readFramebufferComplete() {
-  if (boundReadFramebuffer) return resolveReadFramebuffer(*this);
+  if (boundReadFramebuffer) return updateReadFramebuffer(*this);
   if (hasWindowToReady()) [[unlikely]]
     readyWindows();
   readFramebuffer = defaultReadFramebuffer;

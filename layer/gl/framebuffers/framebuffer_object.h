@@ -55,10 +55,10 @@ struct FramebufferObject {
 
 // Brings state.framebuffer up to date with the bound framebuffer object: none, when that is not complete, or
 // memory ran out. Under the ShareLock.
-void resolveFramebuffer(Context& c);
+void updateFramebuffer(Context& c);
 
 // The same for readFramebuffer and the object bound to READ_FRAMEBUFFER_APPLE, which is not null.
-bool resolveReadFramebuffer(Context& c);
+bool updateReadFramebuffer(Context& c);
 
 // What forbids ReadPixels and CopyTex...Image; NO_ERROR: nothing, and readFramebuffer is up to date. Under
 // the ShareLock.

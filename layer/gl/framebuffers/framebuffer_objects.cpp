@@ -278,13 +278,13 @@ int sampleCount(const render::Caps& caps, GLsizei asked) {
   return asked > 0 && caps.maxSamples > 1 && asked <= caps.maxSamples ? caps.maxSamples : -1;
 }
 
-void resolveFramebuffer(Context& c) {
+void updateFramebuffer(Context& c) {
   render::Framebuffer framebuffer;
   const bool complete = makeFramebuffer(c, *c.boundFramebuffer, framebuffer);
   useFramebuffer(c, complete ? &framebuffer : nullptr);
 }
 
-bool resolveReadFramebuffer(Context& c) {
+bool updateReadFramebuffer(Context& c) {
   if (c.boundReadFramebuffer != c.boundFramebuffer)
     return makeFramebuffer(c, *c.boundReadFramebuffer, c.readFramebuffer);
   const bool complete = c.framebufferComplete();

@@ -188,7 +188,7 @@ void initTextures(Context& c);
 
 // From bindings and enables to state.fixed.units[i].target and baseFormat and state.textures[i]
 // (section 3.7.13). Called by a draw under the ShareLock, when kGroupTextures was marked. False: out of memory.
-bool resolveTextureUnits(Context& c);
+bool updateTextureUnits(Context& c);
 
 // The slot of a target that textures are bound to. kSlotCount: it is none.
 TextureSlot bindingSlot(GLenum target);

@@ -53,7 +53,7 @@ gen::MirroredEdge edgeOf(GLenum wrap, const render::Sampler& sampler) {
 }
 
 // False: out of memory.
-bool resolveUnit(Context& c, UnitBindings& unit, gen::TextureUnit& fixed, render::TextureBinding& binding) {
+bool updateUnit(Context& c, UnitBindings& unit, gen::TextureUnit& fixed, render::TextureBinding& binding) {
   fixed.target = gen::TextureTarget::None;
   unit.sampled = kSlotCount;
   binding.image = nullptr;
@@ -122,13 +122,13 @@ void initTextures(Context& c) {
   }
 }
 
-bool resolveTextureUnits(Context& c) {
-  bool resolved = true;
+bool updateTextureUnits(Context& c) {
+  bool updated = true;
   for (size_t i = 0; i < c.units.size(); ++i) {
-    resolved = resolveUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && resolved;
+    updated = updateUnit(c, c.units[i], c.state.fixed.units[i], c.state.textures[i]) && updated;
   }
-  if (!resolved) c.setError(GL_OUT_OF_MEMORY);
-  return resolved;
+  if (!updated) c.setError(GL_OUT_OF_MEMORY);
+  return updated;
 }
 
 bool bindTexImage(Context& c, GLenum target, const std::shared_ptr<render::Image>& image, bool alpha) {

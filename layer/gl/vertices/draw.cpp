@@ -57,10 +57,10 @@ namespace anteroom::gl {
 
 void prepareDraw(Context& c) {
   if (!(c.changed & gen::kGroupTextures)) return;
-  const bool resolved = resolveTextureUnits(c);
+  const bool updated = updateTextureUnits(c);
   // Texels of an attached texture may have moved.
   c.framebufferComplete();
-  if (!resolved) c.told |= gen::kGroupTextures;  // the next draw tries again
+  if (!updated) c.told |= gen::kGroupTextures;  // the next draw tries again
 }
 
 void submitDraw(Context& c, const render::State& state, gen::Groups differs, const render::DrawCall& call,
