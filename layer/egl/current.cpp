@@ -24,14 +24,14 @@ void release() {
   }
 }
 
-// A thread that ends with a current context gives it back. Other than a destructor of a thread_local this is
+// A thread that ends with a current context gives it back. Unlike a destructor of a thread_local, this is
 // not called by exit: functions registered with atexit may still draw.
 void endThread(void*) {
   const Lock lock(mutex());
   release();
 }
 
-void watchEnd() {
+void releaseAtThreadEnd() {
   struct Key {
     pthread_key_t key;
     bool made = pthread_key_create(&key, endThread) == 0;
@@ -69,7 +69,7 @@ Binding findBinding(const Display& display, EGLSurface draw, EGLSurface read, EG
 }
 
 void bind(Binding next) {
-  watchEnd();
+  releaseAtThreadEnd();
   if (thread.binding != nullptr && *thread.binding == next)
     return gl::RendererLock(*next.context->gl)->flush();
   auto binding = std::make_unique<Binding>(std::move(next));

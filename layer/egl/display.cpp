@@ -112,7 +112,7 @@ void Display::initialize() {
   configs_ = makeConfigs(device->caps(), device->caps().windows ? system.get() : nullptr);
   windowSystem_ = std::move(system);
   device_ = std::move(device);
-  watchForks();
+  registerForkHandlers();
 }
 
 void Display::terminate() {

@@ -35,7 +35,7 @@ void afterInChild() {
 
 }  // namespace
 
-void watchForks() {
+void registerForkHandlers() {
   static const int registered = pthread_atfork(before, afterInParent, afterInChild);
   static_cast<void>(registered);
 }

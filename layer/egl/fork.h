@@ -4,7 +4,7 @@
 
 namespace anteroom::egl {
 
-// From now on. Under the lock, after a renderer has registered what it does at a fork.
-void watchForks();
+// Registers, once, what does this at a fork. Under the lock, after a renderer has registered its own.
+void registerForkHandlers();
 
 }  // namespace anteroom::egl
