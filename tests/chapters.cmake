@@ -24,6 +24,6 @@ function(anteroom_add_chapter binary chapter filter)
   endif()
   add_test(NAME ${name} COMMAND ${binary} --gtest_brief=1 --gtest_filter=${filter})
   # A filter that matches nothing would pass.
-  set_tests_properties(${name} PROPERTIES TIMEOUT 300 LABELS "${prefix}" FAIL_REGULAR_EXPRESSION "] 0 tests from"
+  set_tests_properties(${name} PROPERTIES LABELS "${prefix}" FAIL_REGULAR_EXPRESSION "] 0 tests from"
     ENVIRONMENT "EGL_PLATFORM=surfaceless;ANTEROOM_DEBUG=validation=fatal;ANTEROOM_CACHE=off;${ARG_ENVIRONMENT}")
 endfunction()

@@ -19,7 +19,6 @@ namespace program {
 namespace {
 
 constexpr int kMissingExtension = 3;  // exit status of a worker
-constexpr unsigned kSeconds = 900;    // after which a worker has failed
 constexpr double kFramesASecond = 30;
 constexpr int kWarmUpFrames = 3;
 
@@ -55,8 +54,8 @@ std::string faultOf(int status) {
 
 void addRound(Measured& measured, const BenchOptions& options, const measure::Implementation& on) {
   if (!measured.fault.empty()) return;
-  const process::Outcome outcome = process::run(
-      "/proc/self/exe", arguments(options, measured.demo, options.size, ""), on.environment, kSeconds);
+  const process::Outcome outcome =
+      process::run("/proc/self/exe", arguments(options, measured.demo, options.size, ""), on.environment);
   if (outcome.status != 0) {
     measured.fault = faultOf(outcome.status);
     return;
@@ -82,8 +81,8 @@ void addErrors(std::vector<Measured>& measured, const BenchOptions& options,
   const std::string& demo = measured.front().demo;
   const auto draw = [&](const std::string& name, const process::Environment& environment) {
     const std::string file = fmt::format("{}/{}-{}.png", folder, demo, name);
-    const process::Outcome outcome = process::run(
-        "/proc/self/exe", arguments(options, demo, options.errorSize, file), environment, kSeconds);
+    const process::Outcome outcome =
+        process::run("/proc/self/exe", arguments(options, demo, options.errorSize, file), environment);
     return outcome.status == 0 ? measure::readPng(file) : measure::Picture();
   };
   const measure::Picture wanted = draw("reference", measure::withCaches(reference->environment, folder));

@@ -12,8 +12,6 @@ namespace bench {
 
 namespace {
 
-constexpr unsigned kWorkerSeconds = 300;
-
 std::vector<std::string> workerArguments(const Plan& plan, const std::string& worker) {
   std::vector<std::string> arguments = {"--worker", worker, "--visit",
                                         std::to_string(plan.visitMilliseconds)};
@@ -29,8 +27,7 @@ std::vector<std::string> workerArguments(const Plan& plan, const std::string& wo
 // Starts one worker and adds the medians of what it measured.
 void addRound(const Plan& plan, const std::string& worker, const process::Environment& environment,
               ImplementationResult& result) {
-  const process::Outcome outcome =
-      process::run("/proc/self/exe", workerArguments(plan, worker), environment, kWorkerSeconds);
+  const process::Outcome outcome = process::run("/proc/self/exe", workerArguments(plan, worker), environment);
   if (outcome.status != 0) {
     result.faults.push_back(fmt::format("the {} worker ended with status {}", worker, outcome.status));
     return;

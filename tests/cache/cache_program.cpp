@@ -36,7 +36,7 @@ int main(int argc, char** argv) {
   test::Scene scene(test::device(wishes.minimal, false), 32, 32, render::Format::RGBA8,
                     render::Format::Depth24Stencil8, 1);
   const vulkan::PipelineCache& pipelines = static_cast<vulkan::VulkanDevice&>(scene.device).pipelines();
-  for (int i = 0; i < 1000 && pipelines.ahead() < wishes.await; ++i)
+  for (int i = 0; i < 30000 && pipelines.ahead() < wishes.await; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   const float triangle[] = {-1, -1, 0, 1, -1, 0, 0, 1, 0};
   scene.clear(GL_COLOR_BUFFER_BIT);

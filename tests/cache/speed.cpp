@@ -30,7 +30,6 @@ using namespace anteroom;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFrames = 60;
-constexpr unsigned kSeconds = 300;
 constexpr int kWidth = 640, kHeight = 480;
 
 const room::DemoEntry kDemos[] = {{"lighting", "", lighting::makeLighting},
@@ -90,7 +89,7 @@ void addRound(const std::string& demo, std::array<Run, kRuns>& runs) {
   const std::filesystem::path file = environment.at("ANTEROOM_CACHE_DIR") + "/anteroom.db";
   for (Run& run : runs) {
     const int64_t before = shadersIn(file);
-    const process::Outcome outcome = process::run("/proc/self/exe", {"--demo", demo}, environment, kSeconds);
+    const process::Outcome outcome = process::run("/proc/self/exe", {"--demo", demo}, environment);
     const auto json = nlohmann::json::parse(outcome.output, nullptr, false);
     if (outcome.status != 0 || !json.is_array() || json.size() != kFrames) {
       run.fault = fmt::format("ended with status {}", outcome.status);

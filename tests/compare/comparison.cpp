@@ -15,7 +15,6 @@ namespace comparison {
 
 namespace {
 
-constexpr unsigned kWorkerSeconds = 300;
 constexpr const char* kSelf = "/proc/self/exe";
 
 // Renders on one implementation; a crash costs its scene alone, and a new process goes on behind it.
@@ -28,8 +27,7 @@ std::map<std::string, Result> renderScenes(const process::Environment& environme
                                           "--lod-error", std::to_string(task.lodError)};
     if (task.varied) arguments.emplace_back("--varied");
     for (const std::string& name : left) arguments.insert(arguments.end(), {"--scene", name});
-    const process::Outcome outcome =
-        process::run(kSelf, arguments, measure::withoutCaches(environment), kWorkerSeconds);
+    const process::Outcome outcome = process::run(kSelf, arguments, measure::withoutCaches(environment));
     std::istringstream lines(outcome.output);
     std::string begun;
     for (std::string line; std::getline(lines, line);) {
@@ -71,8 +69,7 @@ const char* measurementOf(Driver driver) {
 }
 
 DriverErrors measureDriver() {
-  const process::Outcome outcome =
-      process::run(process::executableDirectory() + "/anteroom-driver", {}, {}, kWorkerSeconds);
+  const process::Outcome outcome = process::run(process::executableDirectory() + "/anteroom-driver", {}, {});
   if (outcome.status != 0) throw std::runtime_error("anteroom-driver failed");
   DriverErrors errors;
   std::istringstream lines(outcome.output);

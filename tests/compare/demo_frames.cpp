@@ -15,7 +15,6 @@ namespace comparison {
 
 namespace {
 
-constexpr unsigned kFrameSeconds = 300;
 constexpr double kRmsBound = 1;  // 1/255
 // A pixel is an edge pixel when one of its neighbours differs by more in the reference.
 constexpr int kEdgeContrast = 32;
@@ -44,7 +43,7 @@ Result render(const Frame& frame, const process::Environment& environment, const
       process::run(process::executableDirectory() + "/rooms",
                    {frame.demo, "--samples", "0", "--size", fmt::format("{}x{}", frame.width, frame.height),
                     "--time", std::to_string(frame.seconds), "--out", directory},
-                   measure::withoutCaches(environment), kFrameSeconds);
+                   measure::withoutCaches(environment));
   const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
   Result result;
   result.milliseconds.push_back(elapsed.count());

@@ -74,7 +74,7 @@ TEST_F(Fences, FiniteWaits) {
   drawRect();
   const GLsync sync = fence();
   GLenum answer = GL_TIMEOUT_EXPIRED_APPLE;
-  for (int i = 0; i < 20000 && answer == GL_TIMEOUT_EXPIRED_APPLE; ++i) {
+  for (int i = 0; i < 200000 && answer == GL_TIMEOUT_EXPIRED_APPLE; ++i) {
     answer = ClientWaitSyncAPPLE(sync, 0, 1000000);
   }
   EXPECT_TRUE(answer == GL_ALREADY_SIGNALED_APPLE || answer == GL_CONDITION_SATISFIED_APPLE);
@@ -216,7 +216,7 @@ TEST_F(Fences, NvFences) {
     drawRect();
     SetFenceNV(name, GL_ALL_COMPLETED_NV);
     bool passed = false;
-    for (int i = 0; i < 20000 && !passed; ++i) {
+    for (int i = 0; i < 200000 && !passed; ++i) {
       passed = TestFenceNV(name);
       if (!passed) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

@@ -11,7 +11,7 @@ Ended runProgram(const std::vector<std::string>& arguments, const process::Envir
   words.insert(words.end(), arguments.begin(), arguments.end());
   process::Environment all{{"ANTEROOM_CACHE", "off"}, {"ANTEROOM_DEBUG", "validation=fatal"}};
   for (const auto& [name, value] : environment) all[name] = value;
-  const process::Outcome outcome = process::run("/bin/sh", words, all, 60);
+  const process::Outcome outcome = process::run("/bin/sh", words, all);
   return {outcome.status, outcome.output};
 }
 

@@ -12,8 +12,6 @@
 
 namespace {
 
-constexpr unsigned kSeconds = 300;
-
 // Root of the mean square of the channels' differences, over pixels whose neighbours are like them: on which
 // side of an edge a pixel lies is a matter of rounding.
 constexpr double kRms = 1.0;
@@ -44,7 +42,7 @@ Picture draw(const std::string& demo, const std::string& folder, const process::
   std::vector<std::string> arguments = {demo,        "--size", "64x48", "--time", "2",
                                         "--samples", "0",      "--out", folder};
   for (const std::string& option : optionsOf(demo)) arguments.push_back(option);
-  const process::Outcome outcome = process::run(ROOMS_PROGRAM, arguments, environment, kSeconds);
+  const process::Outcome outcome = process::run(ROOMS_PROGRAM, arguments, environment);
   EXPECT_EQ(outcome.status, 0);
   OIIO::ImageBuf image(folder + "/" + demo + ".png");
   Picture picture;

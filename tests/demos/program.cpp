@@ -10,10 +10,8 @@
 
 namespace {
 
-constexpr unsigned kSeconds = 120;
-
 process::Outcome rooms(const std::vector<std::string>& arguments) {
-  return process::run(ROOMS_PROGRAM, arguments, {}, kSeconds);
+  return process::run(ROOMS_PROGRAM, arguments, {});
 }
 
 // Status 2 and one sentence that is not scrolled away by the help.
@@ -48,7 +46,7 @@ TEST(RoomsProgram, RefusesWhatItDoesNotKnow) {
 
 TEST(RoomsProgram, RefusesWindowsWithoutAWindowSystem) {
   const process::Environment none = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}, {"XDG_RUNTIME_DIR", ""}};
-  EXPECT_EQ(process::run(ROOMS_PROGRAM, {"particles", "--window"}, none, kSeconds).status, 2);
+  EXPECT_EQ(process::run(ROOMS_PROGRAM, {"particles", "--window"}, none).status, 2);
 }
 
 TEST(RoomsProgram, ListsDemosAndStages) {

@@ -27,7 +27,7 @@ def run(*command, status=0, **more):
     environment = {name: value for name, value in os.environ.items() if name not in OURS}
     environment |= {"ANTEROOM_CACHE": "off", "LC_ALL": "C"} | more.pop("env", {})
     result = subprocess.run(
-        [str(word) for word in command], env=environment, capture_output=True, text=True, check=False, timeout=300, **more
+        [str(word) for word in command], env=environment, capture_output=True, text=True, check=False, timeout=1200, **more
     )
     assert result.returncode == status, f"{command}: {result.returncode}\n{result.stdout}{result.stderr}"
     return result

@@ -188,7 +188,7 @@ TEST_P(Ending, LeavesQuietly) {
   // Where the first thread ends by itself, the C library loses what it keeps for its dlerror.
   const bool loses = std::string(GetParam()) == "first-thread-ends";
   const std::string leaks = loses ? "ASAN_OPTIONS=detect_leaks=0 " : "";
-  const Outcome outcome = run(leaks + "timeout 60 " PROGRAM " " + GetParam());
+  const Outcome outcome = run(leaks + "timeout 1200 " PROGRAM " " + GetParam());
   EXPECT_EQ(outcome.status, 0) << outcome.output;
   EXPECT_EQ(outcome.output, "");
 }
@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(Loader, Ending,
 TEST(Loader, EndsInTheMiddleOfWork) {
   for (const char* where : {"in-the-middle", "in-the-middle-of-a-thread"}) {
     for (int i = 0; i < 10; ++i) {
-      const Outcome outcome = run(std::string("ANTEROOM_CACHE=off timeout 60 " PROGRAM " ") + where);
+      const Outcome outcome = run(std::string("ANTEROOM_CACHE=off timeout 1200 " PROGRAM " ") + where);
       ASSERT_EQ(outcome.status, 0) << where << ", " << i << ": " << outcome.output;
     }
   }

@@ -15,6 +15,8 @@ namespace process {
 
 namespace {
 
+constexpr unsigned kSeconds = 1200;
+
 [[noreturn]] void failed(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
@@ -39,7 +41,7 @@ std::vector<std::string> merged(const Environment& added) {
 }  // namespace
 
 Outcome run(const std::string& program, const std::vector<std::string>& arguments,
-            const Environment& environment, unsigned seconds) {
+            const Environment& environment) {
   std::vector<std::string> words = {program}, variables = merged(environment);
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::vector<char*> argv = pointers(words), envp = pointers(variables);
@@ -51,7 +53,7 @@ Outcome run(const std::string& program, const std::vector<std::string>& argument
     dup2(ends[1], STDOUT_FILENO);
     close(ends[0]);
     close(ends[1]);
-    alarm(seconds);
+    alarm(kSeconds);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     execve(program.c_str(), argv.data(), envp.data());
     _exit(127);

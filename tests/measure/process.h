@@ -14,9 +14,10 @@ struct Outcome {
   std::string output;  // standard output
 };
 
-// Runs `program` and waits; it is killed after `seconds`. Throws std::system_error when it cannot be started.
+// Runs `program` and waits; it is killed after 20 minutes, which is for programs that hang, not for slow
+// ones. Throws std::system_error when it cannot be started.
 Outcome run(const std::string& program, const std::vector<std::string>& arguments,
-            const Environment& environment, unsigned seconds);
+            const Environment& environment);
 
 // A directory that is gone, with its contents, when this is.
 class TemporaryDirectory {

@@ -15,7 +15,7 @@ BARE, OURS, *SURFACE = sys.argv[1:]
 
 
 def resident(*command, **variables):
-    result = subprocess.run(command, env=os.environ | variables, capture_output=True, text=True, check=True, timeout=120)
+    result = subprocess.run(command, env=os.environ | variables, capture_output=True, text=True, check=True, timeout=1200)
     sizes = {name: int(size) for size, name in (line.split() for line in result.stdout.splitlines())}
     return sizes["sum"], sum(size for name, size in sizes.items() if name.startswith(("libanteroom", "libEGL.", "libxcb")))
 

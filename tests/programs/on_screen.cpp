@@ -57,7 +57,7 @@ int main(int argc, char** argv) {
     const auto display = windows::NativeDisplay::open(platforms.back());
     const windows::Image picture = programs::readPicture(argv[1]);
     const Finder finder(picture);
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (true) {
       const windows::Image screen = display->screen();
       if (const auto place = finder.in(screen)) {

@@ -15,11 +15,11 @@ TEST_P(Forks, HarmNobody) {
   const process::Environment environment = {
       {"ANTEROOM_CACHE", "on"}, {"ANTEROOM_CACHE_DIR", folder.path()}, {"ASAN_OPTIONS", "detect_leaks=0"}};
   for (int run = 0; run < 2; ++run) {  // the cache is empty at first
-    const process::Outcome outcome = process::run(FORKS_PROGRAM, {GetParam()}, environment, 250);
+    const process::Outcome outcome = process::run(FORKS_PROGRAM, {GetParam()}, environment);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.output, "");
   }
-  const process::Outcome verified = process::run(CACHE_TOOL, {"verify"}, environment, 100);
+  const process::Outcome verified = process::run(CACHE_TOOL, {"verify"}, environment);
   EXPECT_EQ(verified.status, 0) << verified.output;
 }
 

@@ -12,7 +12,7 @@ namespace {
 class WarmUp : public testing::Test {
  protected:
   process::Outcome run(const char* threads) const {
-    return process::run(STATES_PROGRAM, {threads}, environment_, 280);
+    return process::run(STATES_PROGRAM, {threads}, environment_);
   }
   // The same picture as without a cache, whatever else happens.
   void expectGood(const process::Outcome& outcome) {
@@ -20,12 +20,12 @@ class WarmUp : public testing::Test {
     EXPECT_EQ(outcome.output, plain_.output);
   }
   void SetUp() override {
-    plain_ = process::run(STATES_PROGRAM, {"1"}, {{"ANTEROOM_CACHE", "off"}}, 280);
+    plain_ = process::run(STATES_PROGRAM, {"1"}, {{"ANTEROOM_CACHE", "off"}});
     ASSERT_EQ(plain_.status, 0);
     ASSERT_NE(plain_.output, "");
   }
   void TearDown() override {
-    const process::Outcome verified = process::run(CACHE_TOOL, {"verify"}, environment_, 280);
+    const process::Outcome verified = process::run(CACHE_TOOL, {"verify"}, environment_);
     EXPECT_EQ(verified.status, 0) << verified.output;
   }
 

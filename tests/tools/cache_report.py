@@ -74,7 +74,7 @@ class Browser:
         command = [self.program, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars",
                    f"--user-data-dir={self.folder}/profile", "--virtual-time-budget=2000", *options, address]
         environment = {**os.environ, "HOME": str(self.folder)}
-        return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True, env=environment).stdout
+        return subprocess.run(command, capture_output=True, text=True, timeout=1200, check=True, env=environment).stdout
 
     def page(self, file, wish=""):
         return Page(self.run(f"file://{file}#{wish}", "--dump-dom"))

@@ -18,7 +18,7 @@ DRIVERS = sorted(pathlib.Path("/usr/share/vulkan/icd.d").glob("lvp_icd.*.json"))
 
 def info(*arguments, status=0, **variables):
     environment = os.environ | {"ANTEROOM_CACHE": "off", "EGL_PLATFORM": "surfaceless"} | variables
-    result = subprocess.run([TOOL, *arguments], env=environment, capture_output=True, text=True, check=False, timeout=60)
+    result = subprocess.run([TOOL, *arguments], env=environment, capture_output=True, text=True, check=False, timeout=1200)
     assert result.returncode == status, f"{result.returncode}\n{result.stdout}{result.stderr}"
     return result
 

@@ -95,7 +95,7 @@ testing::AssertionResult same(const Image& actual, const Image& expected, int to
 
 testing::AssertionResult shows(NativeWindow& window, const Image& expected, int tolerance) {
   using Clock = std::chrono::steady_clock;
-  const Clock::time_point end = Clock::now() + std::chrono::seconds(3);
+  const Clock::time_point end = Clock::now() + std::chrono::seconds(60);
   for (;;) {
     const testing::AssertionResult result = same(window.onScreen(), expected, tolerance);
     if (result || Clock::now() > end) return result;
