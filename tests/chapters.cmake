@@ -27,3 +27,15 @@ function(anteroom_add_chapter binary chapter filter)
   set_tests_properties(${name} PROPERTIES LABELS "${prefix}" FAIL_REGULAR_EXPRESSION "] 0 tests from"
     ENVIRONMENT "EGL_PLATFORM=surfaceless;ANTEROOM_DEBUG=validation=fatal;ANTEROOM_CACHE=off;${ARG_ENVIRONMENT}")
 endfunction()
+
+# anteroom_add_suites(folder chapter...): the files of chapters are added to the binary folder_tests, whose suites are
+# folder.chapter. In some_chapter.cpp a suite's name begins with SomeChapter.
+function(anteroom_add_suites folder)
+  foreach(chapter IN LISTS ARGN)
+    target_sources(${folder}_tests PRIVATE ${chapter}.cpp)
+    anteroom_suite_name(suite ${chapter})
+    add_test(NAME ${folder}.${chapter} COMMAND ${folder}_tests --gtest_brief=1 --gtest_filter=${suite}*:*/${suite}*)
+    # A filter that matches nothing would pass.
+    set_tests_properties(${folder}.${chapter} PROPERTIES FAIL_REGULAR_EXPRESSION "] 0 tests from")
+  endforeach()
+endfunction()

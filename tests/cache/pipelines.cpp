@@ -107,7 +107,7 @@ std::vector<std::byte> blobOf(size_t size) {
   return bytes;
 }
 
-TEST(DriverBlob, IsReadAsItWasWrittenOrNotAtAll) {
+TEST(PipelinesDriverBlob, IsReadAsItWasWrittenOrNotAtAll) {
   const Folder folder;
   const auto file = folder.path / "driver";
   EXPECT_TRUE(cache::readDriverBlob(file).empty());
@@ -127,7 +127,7 @@ TEST(DriverBlob, IsReadAsItWasWrittenOrNotAtAll) {
   EXPECT_FALSE(cache::writeDriverBlob("/proc/driver", blobOf(10)));
 }
 
-TEST(DriverBlob, TheNewestAreKept) {
+TEST(PipelinesDriverBlob, TheNewestAreKept) {
   const Folder folder;
   const auto now = std::filesystem::file_time_type::clock::now();
   for (int i = 0; i < 5; ++i) {

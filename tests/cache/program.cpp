@@ -57,7 +57,7 @@ TEST(Program, SecondRunCompilesNothing) {
 }
 
 // Full and minimal device.
-class Ahead : public testing::TestWithParam<bool> {
+class ProgramAhead : public testing::TestWithParam<bool> {
  protected:
   Drawn draw(int await, const char* other = nullptr) {
     std::vector<std::string> arguments;
@@ -70,7 +70,7 @@ class Ahead : public testing::TestWithParam<bool> {
   Folder folder_;
 };
 
-TEST_P(Ahead, ASecondRunFindsItsPipelinesMade) {
+TEST_P(ProgramAhead, ASecondRunFindsItsPipelinesMade) {
   const Drawn first = draw(0);
   EXPECT_EQ(first.ahead, 0);
   EXPECT_GE(first.pipelines, 5);
@@ -86,7 +86,7 @@ TEST_P(Ahead, ASecondRunFindsItsPipelinesMade) {
   EXPECT_EQ(third.picture, first.picture);
 }
 
-TEST_P(Ahead, NothingIsMadeThatTheProgramDoesNotUse) {
+TEST_P(ProgramAhead, NothingIsMadeThatTheProgramDoesNotUse) {
   const Drawn plain = draw(0);
   const Drawn fog = draw(0, "fog");
   EXPECT_EQ(fog.ahead, 0) << "it was never called so before";
@@ -97,7 +97,7 @@ TEST_P(Ahead, NothingIsMadeThatTheProgramDoesNotUse) {
   EXPECT_LT(fog.pipelines, plain.pipelines);
 }
 
-TEST_P(Ahead, AnotherGeneratorsPipelinesAreMade) {
+TEST_P(ProgramAhead, AnotherGeneratorsPipelinesAreMade) {
   const Drawn first = draw(0);
   cache::Store store;
   ASSERT_EQ(store.open(folder_.file(), cache::Store::Mode::Write), cache::Opened::Ok);
@@ -112,7 +112,7 @@ TEST_P(Ahead, AnotherGeneratorsPipelinesAreMade) {
 }
 
 // Rows that say what no renderer says, for the same program: none is made, all else is drawn as ever.
-TEST_P(Ahead, HostileRowsAreRefused) {
+TEST_P(ProgramAhead, HostileRowsAreRefused) {
   const Drawn first = draw(0);
   cache::Store store;
   ASSERT_EQ(store.open(folder_.file(), cache::Store::Mode::Write), cache::Opened::Ok);
@@ -156,7 +156,7 @@ TEST_P(Ahead, HostileRowsAreRefused) {
   EXPECT_EQ(second.picture, first.picture);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, Ahead, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Profiles, ProgramAhead, testing::Bool(),
                          [](const auto& minimal) { return minimal.param ? "minimal" : "full"; });
 
 // Two builds whose generators differ share a file, and neither spoils the other's rows.

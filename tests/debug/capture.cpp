@@ -26,7 +26,7 @@ process::Environment underRenderDoc(const std::string& debug) {
   return environment;
 }
 
-class RenderDoc : public testing::Test {
+class CaptureByRenderDoc : public testing::Test {
  protected:
   void SetUp() override {
     if (!fs::exists("/usr/share/vulkan/implicit_layer.d/renderdoc_capture.json") || !fs::exists(RENDERDOCCMD))
@@ -35,7 +35,7 @@ class RenderDoc : public testing::Test {
 };
 
 // What RenderDoc says of its own capture of a program without a window.
-TEST_F(RenderDoc, CaptureReadsLikeTheProgram) {
+TEST_F(CaptureByRenderDoc, CaptureReadsLikeTheProgram) {
   const Ended run = runProgram({"groups"}, underRenderDoc("markers,capture"));
   EXPECT_EQ(run.status, 0) << run.output;
   const std::string said = "anteroom: frame 1 is captured in ";
@@ -55,7 +55,7 @@ TEST_F(RenderDoc, CaptureReadsLikeTheProgram) {
   fs::remove(path);
 }
 
-TEST_F(RenderDoc, SaysWhenTheFrameNeverCame) {
+TEST_F(CaptureByRenderDoc, SaysWhenTheFrameNeverCame) {
   const Ended run = runProgram({"groups"}, underRenderDoc("capture=3"));
   EXPECT_NE(run.output.find("capture: there were only 1 frames"), std::string::npos) << run.output;
 }

@@ -68,7 +68,7 @@ TEST(FailingShader, FallsBackToTemporaryFiles) {
   EXPECT_EQ(reportsIn(temporary.path()).size(), 1u) << run.output;
 }
 
-class OneDevice : public testing::Test {
+class FailingShaderOnOneDevice : public testing::Test {
  protected:
   void SetUp() override {
     setenv("ANTEROOM_DUMP_DIR", folder_.path().c_str(), 1);
@@ -91,7 +91,7 @@ class OneDevice : public testing::Test {
   std::unique_ptr<vulkan::VulkanDevice> device_;
 };
 
-TEST_F(OneDevice, GlslangRefusesAShader) {
+TEST_F(FailingShaderOnOneDevice, GlslangRefusesAShader) {
   static constexpr vulkan::OwnShader kBad{gen::Stage::Fragment,
                                           "#version 450\n// not a shader\nvoid main() { return 1; }\n"};
   testing::internal::CaptureStderr();
@@ -102,7 +102,7 @@ TEST_F(OneDevice, GlslangRefusesAShader) {
 }
 
 // A capability that the device was not asked for: the layer objects, the driver does not mind.
-TEST_F(OneDevice, ValidationFindsFault) {
+TEST_F(FailingShaderOnOneDevice, ValidationFindsFault) {
   static constexpr vulkan::OwnShader kLarge{
       gen::Stage::Fragment,
       "#version 450\n// asks for too much\nlayout(constant_id = 0) const double kLarge = 1.0LF;\n"

@@ -1,4 +1,4 @@
-// Runs debug-program under the variables that are tested, with the validation layer on.
+// Runs debug_program under the variables that are tested, with the validation layer on.
 #pragma once
 
 #include <string>

@@ -21,13 +21,13 @@ DebugOptions parse(std::string_view words, std::string* said = nullptr) {
   return options;
 }
 
-TEST(DebugOptions, NothingIsOnByItself) {
+TEST(Options, NothingIsOnByItself) {
   const DebugOptions none = parse("");
   EXPECT_EQ(none.validation, DebugOptions::Validation::Off);
   EXPECT_FALSE(none.markers || none.errors || none.stats || none.glsl || none.captureFrame);
 }
 
-TEST(DebugOptions, WordsAndTheirValues) {
+TEST(Options, WordsAndTheirValues) {
   const DebugOptions all = parse("validation=fatal,markers,,errors,stats,glsl=/some where,capture=7,");
   EXPECT_EQ(all.validation, DebugOptions::Validation::Abort);
   EXPECT_TRUE(all.markers && all.errors && all.stats && all.glsl);
@@ -38,7 +38,7 @@ TEST(DebugOptions, WordsAndTheirValues) {
   EXPECT_EQ(parse("glsl").glslFolder, "");
 }
 
-TEST(DebugOptions, UnknownWordsMakeOneLineWithTheKnownOnes) {
+TEST(Options, UnknownWordsMakeOneLineWithTheKnownOnes) {
   for (const char* words :
        {"validations", "errors,marker,shaders", "capture=0", "capture=2x", "markers=no", "="}) {
     std::string said;
@@ -51,19 +51,19 @@ TEST(DebugOptions, UnknownWordsMakeOneLineWithTheKnownOnes) {
   EXPECT_NE(said.find("does not know marker, shaders;"), said.npos) << said;
 }
 
-TEST(DebugOptions, HelpListsEveryWord) {
+TEST(Options, HelpListsEveryWord) {
   std::string said;
   EXPECT_TRUE(parse("markers,help", &said).markers);
   EXPECT_EQ(linesOf(said).size(), 7u) << said;
 }
 
-TEST(DebugOptions, AreReadOnceByAProgram) {
+TEST(Options, AreReadOnceByAProgram) {
   const Ended run = runProgram({"broken"}, {{"ANTEROOM_DEBUG", "nonsense"}});
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(countOf(run.output, "does not know nonsense"), 1u) << run.output;
 }
 
-TEST(DebugOptions, ErrorsAreLoggedWithCommandAndReason) {
+TEST(Options, ErrorsAreLoggedWithCommandAndReason) {
   const Ended run = runProgram({"misuse"}, {{"ANTEROOM_DEBUG", "validation=fatal,errors"}});
   EXPECT_NE(run.output.find("anteroom: glLineWidth: GL_INVALID_VALUE: width is -1"), std::string::npos)
       << run.output;
@@ -72,7 +72,7 @@ TEST(DebugOptions, ErrorsAreLoggedWithCommandAndReason) {
   EXPECT_EQ(runProgram({"misuse"}, {}).output, "error 0x501\n");
 }
 
-TEST(DebugOptions, StatsAreLoggedWhenAContextEnds) {
+TEST(Options, StatsAreLoggedWhenAContextEnds) {
   // Without the validation layer: it does not outlive what an exit may still do.
   const process::Environment on{{"ANTEROOM_DEBUG", "stats"}};
   for (const char* verb : {"groups", "leave"}) {
@@ -82,7 +82,7 @@ TEST(DebugOptions, StatsAreLoggedWhenAContextEnds) {
   }
 }
 
-TEST(DebugOptions, GlslTellsOfEveryShader) {
+TEST(Options, GlslTellsOfEveryShader) {
   const process::TemporaryDirectory folder, cache;
   const Ended logged = runProgram({"broken"}, {{"ANTEROOM_DEBUG", "glsl"}});
   EXPECT_EQ(countOf(logged.output, "anteroom: vertex shader: "), 1u) << logged.output;

@@ -44,7 +44,9 @@ void frame(const GLuint (&textures)[2], GLuint buffer) {
 
 }  // namespace
 
-TEST_F(GlTest, ASteadyFrameAllocatesNothing) {
+using Allocations = GlTest;
+
+TEST_F(Allocations, ASteadyFrameAllocatesNothing) {
   GLuint textures[2] = {}, buffer = 0;
   glGenTextures(2, textures);
   static const GLubyte texels[16] = {};

@@ -16,25 +16,25 @@ constexpr const char* kCoreCommands[] = {
 
 }  // namespace
 
-TEST(CommandsTest, EveryCoreCommandResolves) {
+TEST(Commands, EveryCoreCommandResolves) {
   for (const char* name : kCoreCommands) EXPECT_NE(procAddress(name), nullptr) << name;
   EXPECT_EQ(std::size(kCoreCommands), 144u);
 }
 
-TEST(CommandsTest, RequiredExtensionsResolve) {
+TEST(Commands, RequiredExtensionsResolve) {
   for (const char* name : {"glPointSizePointerOES", "glQueryMatrixxOES", "glRotatexOES", "glFrustumfOES",
                            "glGetClipPlanefOES", "glTexEnvxvOES"}) {
     EXPECT_NE(procAddress(name), nullptr) << name;
   }
 }
 
-TEST(CommandsTest, OtherNamesDoNot) {
+TEST(Commands, OtherNamesDoNot) {
   for (const char* name : {"", "gl", "glBegin", "glViewporu", "glZ", "eglInitialize"}) {
     EXPECT_EQ(procAddress(name), nullptr) << name;
   }
 }
 
-TEST(CommandsTest, AnAddressIsTheCommand) {
+TEST(Commands, AnAddressIsTheCommand) {
   EXPECT_EQ(procAddress("glLineWidth"), reinterpret_cast<Proc>(glLineWidth));
 }
 

@@ -35,7 +35,7 @@ class Guarded {
   uint8_t* data_ = nullptr;
 };
 
-TEST(CompressedTest, DecodersStayInside) {
+TEST(CompressedTextures, DecodersStayInside) {
   std::minstd_rand random(5);
   for (const CompressedFormat& format : gl::compressedFormats()) {
     for (int round = 0; round < 200; ++round) {
@@ -64,7 +64,7 @@ TEST(CompressedTest, DecodersStayInside) {
 }
 
 // Every pattern of a block in the places that choose between modes.
-TEST(CompressedTest, EveryModeOfABlock) {
+TEST(CompressedTextures, EveryModeOfABlock) {
   std::minstd_rand random(6);
   for (const CompressedFormat& format : gl::compressedFormats()) {
     if (!format.decodeBlock) continue;
@@ -83,7 +83,7 @@ TEST(CompressedTest, EveryModeOfABlock) {
 }
 
 // Issue 6 of IMG_texture_compression_pvrtc, and the sizes of the other texts.
-TEST(CompressedTest, Sizes) {
+TEST(CompressedTextures, Sizes) {
   for (const CompressedFormat& format : gl::compressedFormats()) {
     for (const int width : {1, 2, 4, 8, 16, 64, 1024}) {
       for (const int height : {1, 2, 4, 8, 16, 64, 1024}) {

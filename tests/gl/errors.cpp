@@ -116,11 +116,11 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-class ErrorTest : public GlTest {};
+class Errors : public GlTest {};
 
 }  // namespace
 
-TEST_F(ErrorTest, IsSetAndTheStateIsUntouched) {
+TEST_F(Errors, IsSetAndTheStateIsUntouched) {
   for (const Case& one : cases()) {
     SCOPED_TRACE(one.name);
     changed() = 0;
@@ -132,14 +132,14 @@ TEST_F(ErrorTest, IsSetAndTheStateIsUntouched) {
   EXPECT_TRUE(renderer().clears.empty());
 }
 
-TEST_F(ErrorTest, TheFirstStays) {
+TEST_F(Errors, TheFirstStays) {
   glLineWidth(-1);
   glEnable(kBadEnum);
   EXPECT_EQ(glGetError(), GLenum{GL_INVALID_VALUE});
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST_F(ErrorTest, QueriesLeaveTheResultAlone) {
+TEST_F(Errors, QueriesLeaveTheResultAlone) {
   GLfloat value = 7;
   glGetFloatv(kBadEnum, &value);
   EXPECT_EQ(glGetError(), GLenum{GL_INVALID_ENUM});
@@ -152,7 +152,7 @@ TEST_F(ErrorTest, QueriesLeaveTheResultAlone) {
   EXPECT_EQ(value, 7);
 }
 
-TEST_F(ErrorTest, NullParametersAreIgnored) {
+TEST_F(Errors, NullParametersAreIgnored) {
   glLightfv(GL_LIGHT0, GL_POSITION, nullptr);
   glMaterialxv(GL_FRONT_AND_BACK, GL_AMBIENT, nullptr);
   glFogfv(GL_FOG_COLOR, nullptr);
@@ -164,13 +164,13 @@ TEST_F(ErrorTest, NullParametersAreIgnored) {
   glGetPointerv(GL_VERTEX_ARRAY_POINTER, nullptr);
 }
 
-TEST(NoContextTest, CommandsDoNothing) {
+TEST(ErrorsWithoutContext, CommandsDoNothing) {
   for (const Case& one : cases()) one.command();
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
   EXPECT_EQ(glGetString(GL_VERSION), nullptr);
 }
 
-TEST_F(ErrorTest, NoFramebufferNoDrawing) {
+TEST_F(Errors, NoFramebufferNoDrawing) {
   setDefaultFramebuffer(*context, nullptr);
   glClear(GL_COLOR_BUFFER_BIT);
   EXPECT_EQ(glGetError(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION_OES});

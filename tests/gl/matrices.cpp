@@ -9,7 +9,7 @@ namespace anteroom::gl::test {
 
 namespace {
 
-class MatrixTest : public GlTest {
+class Matrices : public GlTest {
  protected:
   const glm::dmat4& modelview() { return state().fixed.modelview; }
   static double distance(const glm::dmat4& a, const glm::dmat4& b) {
@@ -23,7 +23,7 @@ class MatrixTest : public GlTest {
 
 }  // namespace
 
-TEST_F(MatrixTest, StacksAreAsDeepAsTheySay) {
+TEST_F(Matrices, StacksAreAsDeepAsTheySay) {
   const struct {
     GLenum mode, limit, depth;
   } stacks[] = {{GL_MODELVIEW, GL_MAX_MODELVIEW_STACK_DEPTH, GL_MODELVIEW_STACK_DEPTH},
@@ -52,7 +52,7 @@ TEST_F(MatrixTest, StacksAreAsDeepAsTheySay) {
   EXPECT_EQ(state().fixed.units[3].matrix, glm::dmat4(1.0));
 }
 
-TEST_F(MatrixTest, RotationIsRightHandedAndExactAtRightAngles) {
+TEST_F(Matrices, RotationIsRightHandedAndExactAtRightAngles) {
   glRotatef(90, 0, 0, 2);
   EXPECT_EQ(modelview()[0], glm::dvec4(0, 1, 0, 0));
   EXPECT_EQ(modelview()[1], glm::dvec4(-1, 0, 0, 0));
@@ -60,24 +60,24 @@ TEST_F(MatrixTest, RotationIsRightHandedAndExactAtRightAngles) {
   EXPECT_EQ(modelview(), glm::dmat4(1.0));
 }
 
-TEST_F(MatrixTest, RotationAboutTheDiagonalPermutesTheAxes) {
+TEST_F(Matrices, RotationAboutTheDiagonalPermutesTheAxes) {
   glRotatef(120, 1, 1, 1);
   const glm::dmat4 cycle(0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1);
   EXPECT_LT(distance(modelview(), cycle), 1e-15);
 }
 
-TEST_F(MatrixTest, RotationAboutNoAxisIsTheIdentity) {
+TEST_F(Matrices, RotationAboutNoAxisIsTheIdentity) {
   glRotatef(30, 0, 0, 0);
   EXPECT_EQ(modelview(), glm::dmat4(1.0));
 }
 
-TEST_F(MatrixTest, TinyAndHugeAxesKeepTheirDirection) {
+TEST_F(Matrices, TinyAndHugeAxesKeepTheirDirection) {
   glRotatef(90, 0, 0, std::numeric_limits<float>::denorm_min());
   glRotatef(-90, 0, 0, std::numeric_limits<float>::max());
   EXPECT_EQ(modelview(), glm::dmat4(1.0));
 }
 
-TEST_F(MatrixTest, TranslateAndScaleMultiplyFromTheRight) {
+TEST_F(Matrices, TranslateAndScaleMultiplyFromTheRight) {
   glScalef(2, 3, 4);
   glTranslatef(1, 1, 1);
   EXPECT_EQ(modelview() * glm::dvec4(0, 0, 0, 1), glm::dvec4(2, 3, 4, 1));
@@ -87,7 +87,7 @@ TEST_F(MatrixTest, TranslateAndScaleMultiplyFromTheRight) {
   EXPECT_EQ(modelview() * glm::dvec4(1, 0, 0, 1), glm::dvec4(3, 0, 0, 1));
 }
 
-TEST_F(MatrixTest, FrustumMapsNearAndFarCorners) {
+TEST_F(Matrices, FrustumMapsNearAndFarCorners) {
   glFrustumf(-1, 3, -2, 1, 0.5f, 8);
   const glm::dvec4 near = modelview() * glm::dvec4(-1, -2, -0.5, 1);
   EXPECT_EQ(near / near.w, glm::dvec4(-1, -1, -1, 1));
@@ -95,13 +95,13 @@ TEST_F(MatrixTest, FrustumMapsNearAndFarCorners) {
   EXPECT_EQ(far / far.w, glm::dvec4(1, 1, 1, 1));
 }
 
-TEST_F(MatrixTest, OrthoMapsItsBox) {
+TEST_F(Matrices, OrthoMapsItsBox) {
   glOrthof(-4, 4, 8, -8, 2, 6);
   EXPECT_EQ(modelview() * glm::dvec4(-4, 8, -2, 1), glm::dvec4(-1, -1, -1, 1));
   EXPECT_EQ(modelview() * glm::dvec4(4, -8, -6, 1), glm::dvec4(1, 1, 1, 1));
 }
 
-TEST_F(MatrixTest, DepthRangesOfTenOrdersOfMagnitudeKeepTheirEnds) {
+TEST_F(Matrices, DepthRangesOfTenOrdersOfMagnitudeKeepTheirEnds) {
   glFrustumf(-1e-3f, 1e-3f, -1e-3f, 1e-3f, 1e-3f, 1e7f);
   const double n = 1e-3f, f = 1e7f;
   const glm::dvec4 near = modelview() * glm::dvec4(0, 0, -n, 1), far = modelview() * glm::dvec4(0, 0, -f, 1);
@@ -109,7 +109,7 @@ TEST_F(MatrixTest, DepthRangesOfTenOrdersOfMagnitudeKeepTheirEnds) {
   EXPECT_NEAR(far.z / far.w, 1, 1e-12);
 }
 
-TEST_F(MatrixTest, AMillionRotationsStayOrthonormal) {
+TEST_F(Matrices, AMillionRotationsStayOrthonormal) {
   for (int i = 0; i < 1000000; ++i) glRotatef(0.36f, 0.3f, -0.5f, 0.8f);
   const glm::dmat4& m = modelview();
   for (int i = 0; i < 3; ++i) {
@@ -122,7 +122,7 @@ TEST_F(MatrixTest, AMillionRotationsStayOrthonormal) {
   EXPECT_LT(distance(sum, m), 1e-4);  // the single angle is a float
 }
 
-TEST_F(MatrixTest, ACameraAMillionUnitsAwayComesBack) {
+TEST_F(Matrices, ACameraAMillionUnitsAwayComesBack) {
   for (int i = 0; i < 100000; ++i) {
     glTranslatef(1e6f, -1e6f, 0.125f);
     glTranslatef(-1e6f, 1e6f, -0.125f);
@@ -130,7 +130,7 @@ TEST_F(MatrixTest, ACameraAMillionUnitsAwayComesBack) {
   EXPECT_LT(distance(modelview(), glm::dmat4(1.0)), 1e-9);
 }
 
-TEST_F(MatrixTest, QueryMatrixGivesMantissasAndExponents) {
+TEST_F(Matrices, QueryMatrixGivesMantissasAndExponents) {
   const GLfloat m[16] = {1, -0.75f, 1e-20f, 3e20f, 0, 65536, -32768, 1.5f, 2, 3, 4, 5, 6, 7, 8, 9};
   glLoadMatrixf(m);
   GLfixed mantissa[16];
@@ -141,7 +141,7 @@ TEST_F(MatrixTest, QueryMatrixGivesMantissasAndExponents) {
   }
 }
 
-TEST_F(MatrixTest, QueryMatrixTellsWhatIsNotANumber) {
+TEST_F(Matrices, QueryMatrixTellsWhatIsNotANumber) {
   GLfloat m[16] = {};
   m[3] = std::numeric_limits<float>::infinity();
   m[15] = std::numeric_limits<float>::quiet_NaN();
@@ -151,7 +151,7 @@ TEST_F(MatrixTest, QueryMatrixTellsWhatIsNotANumber) {
   EXPECT_EQ(glQueryMatrixxOES(mantissa, exponent), (1u << 3) | (1u << 15));
 }
 
-TEST_F(MatrixTest, GetsRoundOnce) {
+TEST_F(Matrices, GetsRoundOnce) {
   const GLfloat m[16] = {0.1f, -0.2f, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 40000};
   glLoadMatrixf(m);
   GLfloat floats[16];
@@ -167,7 +167,7 @@ TEST_F(MatrixTest, GetsRoundOnce) {
   EXPECT_EQ(fixed[15], std::numeric_limits<GLfixed>::max());
 }
 
-TEST_F(MatrixTest, MarksOnlyItsGroupAndOnlyChanges) {
+TEST_F(Matrices, MarksOnlyItsGroupAndOnlyChanges) {
   changed() = 0;
   glLoadIdentity();
   EXPECT_EQ(changed(), 0u);

@@ -18,7 +18,7 @@ constexpr Paletted kFormats[] = {
     {0x8B98, 8, render::Format::RGBA4444, GL_RGBA}, {0x8B99, 8, render::Format::RGBA5551, GL_RGBA},
 };
 
-class PalettedTest : public Texture2DTest {
+class PalettedTextures : public Texture2DTest {
  protected:
   static int size(const Paletted& format, int width, int height, int levels) {
     int bytes = (1 << format.bits) * render::info(format.entry).bytes;
@@ -51,7 +51,7 @@ class PalettedTest : public Texture2DTest {
   }
 };
 
-TEST_F(PalettedTest, Decoding) {
+TEST_F(PalettedTextures, Decoding) {
   for (const Paletted& format : kFormats) {
     for (const auto& [width, height] : {std::pair{1, 1}, {3, 5}, {8, 8}, {16, 4}, {1, 7}}) {
       const int chain = static_cast<int>(std::log2(std::max(width, height))) + 1;
@@ -72,7 +72,7 @@ TEST_F(PalettedTest, Decoding) {
   }
 }
 
-TEST_F(PalettedTest, CubeFaces) {
+TEST_F(PalettedTextures, CubeFaces) {
   glBindTexture(GL_TEXTURE_CUBE_MAP_OES, 2);
   glEnable(GL_TEXTURE_CUBE_MAP_OES);
   const Paletted& format = kFormats[3];
@@ -89,7 +89,7 @@ TEST_F(PalettedTest, CubeFaces) {
     expectLevels(*image, format, faces[static_cast<size_t>(face)], face, 4);
 }
 
-TEST_F(PalettedTest, Errors) {
+TEST_F(PalettedTextures, Errors) {
   for (const Paletted& format : kFormats) {
     const int bytes = size(format, 4, 4, 1);
     const std::vector<uint8_t> data = noise(4096, 1);
@@ -132,7 +132,7 @@ TEST_F(PalettedTest, Errors) {
 }
 
 // Section 3.7.7: no automatic mipmaps for compressed levels.
-TEST_F(PalettedTest, NoAutomaticMipmaps) {
+TEST_F(PalettedTextures, NoAutomaticMipmaps) {
   filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   const int bytes = size(kFormats[0], 4, 4, 1);
@@ -143,7 +143,7 @@ TEST_F(PalettedTest, NoAutomaticMipmaps) {
 }
 
 // Levels of a mipmap must all have been specified with one internal format (section 3.7.9).
-TEST_F(PalettedTest, DoesNotMixWithTheSameBaseFormat) {
+TEST_F(PalettedTextures, DoesNotMixWithTheSameBaseFormat) {
   filter(GL_TEXTURE_2D, GL_NEAREST_MIPMAP_NEAREST);
   const int bytes = size(kFormats[1], 2, 2, 2);
   glCompressedTexImage2D(GL_TEXTURE_2D, -1, kFormats[1].internalFormat, 2, 2, 0, bytes,
@@ -153,7 +153,7 @@ TEST_F(PalettedTest, DoesNotMixWithTheSameBaseFormat) {
   EXPECT_FALSE(draw());
 }
 
-TEST_F(PalettedTest, NoDataAndNoSize) {
+TEST_F(PalettedTextures, NoDataAndNoSize) {
   glCompressedTexImage2D(GL_TEXTURE_2D, -2, GL_PALETTE8_RGBA8_OES, 4, 4, 0, 1024 + 16 + 4 + 1, nullptr);
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
   EXPECT_TRUE(draw());

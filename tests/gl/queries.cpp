@@ -178,7 +178,7 @@ const std::vector<Variable>& variables() {
 }
 #undef VARIABLE
 
-class QueryTest : public GlTest {
+class Queries : public GlTest {
  protected:
   GLfloat environment(GLenum pname) {
     GLfloat value[4] = {};
@@ -189,7 +189,7 @@ class QueryTest : public GlTest {
 
 }  // namespace
 
-TEST_F(QueryTest, EveryVariableBeginsAsItsTableSays) {
+TEST_F(Queries, EveryVariableBeginsAsItsTableSays) {
   for (const Variable& variable : variables()) {
     SCOPED_TRACE(variable.name);
     constexpr GLfloat kUntouched = -12345;
@@ -207,7 +207,7 @@ TEST_F(QueryTest, EveryVariableBeginsAsItsTableSays) {
   }
 }
 
-TEST_F(QueryTest, IntegersAndEnumsReadAsThemselves) {
+TEST_F(Queries, IntegersAndEnumsReadAsThemselves) {
   for (const Variable& variable : variables()) {
     const bool normalised = variable.pname == GL_CURRENT_COLOR || variable.pname == GL_CURRENT_NORMAL ||
                             variable.pname == GL_DEPTH_RANGE || variable.pname == GL_FOG_COLOR ||
@@ -224,19 +224,19 @@ TEST_F(QueryTest, IntegersAndEnumsReadAsThemselves) {
   }
 }
 
-TEST_F(QueryTest, NormalisedValuesFillTheRangeOfInt) {
+TEST_F(Queries, NormalisedValuesFillTheRangeOfInt) {
   for (GLenum name : {GL_DEPTH_CLEAR_VALUE, GL_CURRENT_COLOR}) EXPECT_EQ(integer(name), 0x7FFFFFFF);
   for (GLenum name : {GL_FOG_COLOR, GL_DEPTH_RANGE}) EXPECT_EQ(integer(name), 0);
 }
 
 // Section 6.1.2 names what is mapped to the whole range, and the alpha reference is not among it.
-TEST_F(QueryTest, AlphaReferenceIsRounded) {
+TEST_F(Queries, AlphaReferenceIsRounded) {
   EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 0);
   glAlphaFunc(GL_LESS, 0.75f);
   EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 1);
 }
 
-TEST_F(QueryTest, EnvironmentOfTable615) {
+TEST_F(Queries, EnvironmentOfTable615) {
   EXPECT_EQ(environment(GL_TEXTURE_ENV_MODE), GL_MODULATE);
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);
   EXPECT_EQ(environment(GL_COMBINE_ALPHA), GL_MODULATE);
@@ -253,7 +253,7 @@ TEST_F(QueryTest, EnvironmentOfTable615) {
   EXPECT_EQ(replace, 0);
 }
 
-TEST_F(QueryTest, EnvironmentsBelongToTheActiveUnit) {
+TEST_F(Queries, EnvironmentsBelongToTheActiveUnit) {
   glActiveTexture(GL_TEXTURE5);
   glTexEnvi(GL_TEXTURE_ENV, GL_SRC2_ALPHA, GL_PRIMARY_COLOR);
   glTexEnvx(GL_POINT_SPRITE_OES, GL_COORD_REPLACE_OES, GL_TRUE);
@@ -264,7 +264,7 @@ TEST_F(QueryTest, EnvironmentsBelongToTheActiveUnit) {
   EXPECT_EQ(environment(GL_SRC2_ALPHA), GL_CONSTANT);
 }
 
-TEST_F(QueryTest, LightsOfTable610) {
+TEST_F(Queries, LightsOfTable610) {
   GLfloat value[4];
   glGetLightfv(GL_LIGHT3, GL_SPOT_CUTOFF, value);
   EXPECT_EQ(value[0], 180);
@@ -279,7 +279,7 @@ TEST_F(QueryTest, LightsOfTable610) {
   EXPECT_EQ(fixed[0], 52429);  // 0.8
 }
 
-TEST_F(QueryTest, PointersReadBack) {
+TEST_F(Queries, PointersReadBack) {
   static const GLfloat data[4] = {};
   void* pointer = nullptr;
   glClientActiveTexture(GL_TEXTURE1);

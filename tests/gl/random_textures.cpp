@@ -9,7 +9,7 @@
 namespace anteroom::test {
 namespace {
 
-class FuzzTest : public TexturesTest {
+class RandomTextures : public TexturesTest {
  protected:
   unsigned next() { return static_cast<unsigned>(random_()); }
   template <size_t N>
@@ -261,7 +261,7 @@ class FuzzTest : public TexturesTest {
   std::vector<uint8_t> out_ = std::vector<uint8_t>(64 * 64 * 8);
 };
 
-TEST_F(FuzzTest, NothingBreaks) {
+TEST_F(RandomTextures, NothingBreaks) {
   ContextPtr other = gl::createContext(device, context.get(), {});
   render::Framebuffer framebuffer;
   framebuffer.color.image = color;

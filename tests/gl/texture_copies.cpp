@@ -4,9 +4,9 @@
 namespace anteroom::test {
 namespace {
 
-using CopyTest = Texture2DTest;
+using TextureCopies = Texture2DTest;
 
-TEST_F(CopyTest, FormatFollowsInternalFormatAndFramebuffer) {
+TEST_F(TextureCopies, FormatFollowsInternalFormatAndFramebuffer) {
   using render::Format;
   struct Case {
     Format framebuffer;
@@ -35,7 +35,7 @@ TEST_F(CopyTest, FormatFollowsInternalFormatAndFramebuffer) {
   }
 }
 
-TEST_F(CopyTest, BeyondTheFramebuffer) {
+TEST_F(TextureCopies, BeyondTheFramebuffer) {
   for (const auto& [x, y] : {std::pair{-3, -2}, {kWidth - 2, kHeight - 1}, {INT32_MAX, INT32_MIN}}) {
     const GLuint name = 1;
     glDeleteTextures(1, &name);
@@ -53,7 +53,7 @@ TEST_F(CopyTest, BeyondTheFramebuffer) {
   }
 }
 
-TEST_F(CopyTest, SubImage) {
+TEST_F(TextureCopies, SubImage) {
   const std::vector<uint8_t> data = noise(16 * 16 * 4, 1);
   for (const bool resident : {false, true}) {
     specify(0, 16, 16, GL_RGBA, data.data());
@@ -71,7 +71,7 @@ TEST_F(CopyTest, SubImage) {
 }
 
 // Levels that do not fit together yet can be copied to; they come together when they do.
-TEST_F(CopyTest, LevelsInAnyOrder) {
+TEST_F(TextureCopies, LevelsInAnyOrder) {
   filter(GL_TEXTURE_2D, GL_NEAREST_MIPMAP_NEAREST);
   for (const int level : {2, 0, 3, 1})
     glCopyTexImage2D(GL_TEXTURE_2D, level, GL_RGBA, level, 1, 8 >> level, 8 >> level, 0);
@@ -86,7 +86,7 @@ TEST_F(CopyTest, LevelsInAnyOrder) {
   EXPECT_EQ(device.log.liveImages, 1);
 }
 
-TEST_F(CopyTest, CubeFaces) {
+TEST_F(TextureCopies, CubeFaces) {
   constexpr GLenum kFirst = GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES;
   glBindTexture(GL_TEXTURE_CUBE_MAP_OES, 2);
   filter(GL_TEXTURE_CUBE_MAP_OES, GL_NEAREST);
@@ -110,7 +110,7 @@ TEST_F(CopyTest, CubeFaces) {
   EXPECT_EQ(device.log.liveImages, 1);
 }
 
-TEST_F(CopyTest, AutomaticMipmaps) {
+TEST_F(TextureCopies, AutomaticMipmaps) {
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   filter(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR);
   for (int frame = 1; frame <= 2; ++frame) {
@@ -124,7 +124,7 @@ TEST_F(CopyTest, AutomaticMipmaps) {
   EXPECT_EQ(device.log.mipmaps, 3);
 }
 
-TEST_F(CopyTest, ReadPixels) {
+TEST_F(TextureCopies, ReadPixels) {
   using render::Format;
   for (const Format format :
        {Format::RGBA8, Format::RGB8, Format::RGB565, Format::RGBA4444, Format::RGBA5551}) {

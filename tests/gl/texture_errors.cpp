@@ -16,7 +16,7 @@ struct Case {
 
 // State: texture 1 (2D) is bound and has an 8x8 RGBA level 0 and nothing else; texture 2 is a bound cube map
 // with an 8x8 ALPHA face; buffer 1 of 16 bytes is bound to ARRAY_BUFFER, none to ELEMENT_ARRAY_BUFFER.
-class ErrorsTest : public Texture2DTest {
+class TextureErrors : public Texture2DTest {
  protected:
   void SetUp() override {
     Texture2DTest::SetUp();
@@ -67,7 +67,7 @@ class ErrorsTest : public Texture2DTest {
   std::vector<uint8_t> data;
 };
 
-TEST_F(ErrorsTest, TexImage) {
+TEST_F(TextureErrors, TexImage) {
   const auto image = [&](GLenum target, GLint level, GLint internal, GLsizei w, GLsizei h, GLint border,
                          GLenum format, GLenum type) {
     return [=, this] { glTexImage2D(target, level, internal, w, h, border, format, type, data.data()); };
@@ -103,7 +103,7 @@ TEST_F(ErrorsTest, TexImage) {
   });
 }
 
-TEST_F(ErrorsTest, TexSubImage) {
+TEST_F(TextureErrors, TexSubImage) {
   const auto image = [&](GLenum target, GLint level, GLint x, GLint y, GLsizei w, GLsizei h, GLenum format,
                          GLenum type) {
     return [=, this] { glTexSubImage2D(target, level, x, y, w, h, format, type, data.data()); };
@@ -132,7 +132,7 @@ TEST_F(ErrorsTest, TexSubImage) {
   });
 }
 
-TEST_F(ErrorsTest, CopyTexImage) {
+TEST_F(TextureErrors, CopyTexImage) {
   const auto copy = [](GLenum target, GLint level, GLenum internal, GLint x, GLint y, GLsizei w, GLsizei h,
                        GLint border) {
     return [=] { glCopyTexImage2D(target, level, internal, x, y, w, h, border); };
@@ -151,7 +151,7 @@ TEST_F(ErrorsTest, CopyTexImage) {
   });
 }
 
-TEST_F(ErrorsTest, CopyTexSubImage) {
+TEST_F(TextureErrors, CopyTexSubImage) {
   const auto copy = [](GLenum target, GLint level, GLint tx, GLint ty, GLsizei w, GLsizei h) {
     return [=] { glCopyTexSubImage2D(target, level, tx, ty, 0, 0, w, h); };
   };
@@ -170,7 +170,7 @@ TEST_F(ErrorsTest, CopyTexSubImage) {
 }
 
 // Table 3.9: components can be dropped, not added.
-TEST_F(ErrorsTest, CopyComponents) {
+TEST_F(TextureErrors, CopyComponents) {
   struct Row {
     render::Format framebuffer;
     bool alpha;
@@ -192,7 +192,7 @@ TEST_F(ErrorsTest, CopyComponents) {
   }
 }
 
-TEST_F(ErrorsTest, Objects) {
+TEST_F(TextureErrors, Objects) {
   GLuint names[2] = {7, 7};
   GLint value = 0;
   run({
@@ -239,7 +239,7 @@ TEST_F(ErrorsTest, Objects) {
   EXPECT_EQ(value, 0);
 }
 
-TEST_F(ErrorsTest, TexParameter) {
+TEST_F(TextureErrors, TexParameter) {
   GLint integers[4] = {9, 9, 9, 9};
   const auto set = [](GLenum target, GLenum pname, GLenum value) {
     return [=] {
@@ -277,7 +277,7 @@ TEST_F(ErrorsTest, TexParameter) {
   EXPECT_EQ(integers[0], 9);
 }
 
-TEST_F(ErrorsTest, ReadPixels) {
+TEST_F(TextureErrors, ReadPixels) {
   std::vector<uint8_t> out(64, 0x77);
   const std::vector<uint8_t> before = out;
   const auto read = [&](GLsizei w, GLsizei h, GLenum format, GLenum type) {
@@ -299,7 +299,7 @@ TEST_F(ErrorsTest, ReadPixels) {
   EXPECT_EQ(out, before);
 }
 
-TEST_F(ErrorsTest, NoFramebuffer) {
+TEST_F(TextureErrors, NoFramebuffer) {
   gl::setDefaultFramebuffer(*context, nullptr);
   uint8_t out[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, out);
@@ -310,7 +310,7 @@ TEST_F(ErrorsTest, NoFramebuffer) {
   EXPECT_EQ(glGetError(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION_OES});
 }
 
-TEST_F(ErrorsTest, NoContext) {
+TEST_F(TextureErrors, NoContext) {
   gl::makeCurrent(nullptr);
   GLuint name = 5;
   GLint value = 5;

@@ -93,7 +93,7 @@ struct ModelTexture {
   }
 };
 
-class ModelTest : public TexturesTest {
+class TextureModel : public TexturesTest {
  protected:
   static constexpr GLuint kTextures = 5;  // the last two are cube maps; the even ones generate mipmaps
 
@@ -333,7 +333,7 @@ class ModelTest : public TexturesTest {
   int checks = 0, sampled = 0;
 };
 
-TEST_F(ModelTest, SampledTexelsAreTheSpecifiedOnes) {
+TEST_F(TextureModel, SampledTexelsAreTheSpecifiedOnes) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) encodeTexel(render::Format::RGBA8, randomTexel(), color->at(0, 0, x, y));

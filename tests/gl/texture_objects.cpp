@@ -11,9 +11,9 @@ GLint integer(GLenum pname) {
   return value;
 }
 
-using ObjectsTest = Texture2DTest;
+using TextureObjects = Texture2DTest;
 
-TEST_F(ObjectsTest, TextureNames) {
+TEST_F(TextureObjects, TextureNames) {
   GLuint names[3] = {};
   glGenTextures(3, names);
   EXPECT_TRUE(names[0] && names[1] && names[2] && names[0] != names[1] && names[1] != names[2]);
@@ -30,7 +30,7 @@ TEST_F(ObjectsTest, TextureNames) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST_F(ObjectsTest, DeletedTexturesLeaveEveryUnit) {
+TEST_F(TextureObjects, DeletedTexturesLeaveEveryUnit) {
   specify(0, 2, 2);
   glActiveTexture(GL_TEXTURE3);
   glBindTexture(GL_TEXTURE_2D, 1);
@@ -47,7 +47,7 @@ TEST_F(ObjectsTest, DeletedTexturesLeaveEveryUnit) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST_F(ObjectsTest, ClearBetweenEnableAndDraw) {
+TEST_F(TextureObjects, ClearBetweenEnableAndDraw) {
   specify(0, 2, 2);
   glDisable(GL_TEXTURE_2D);
   EXPECT_FALSE(draw());
@@ -56,7 +56,7 @@ TEST_F(ObjectsTest, ClearBetweenEnableAndDraw) {
   EXPECT_TRUE(draw());
 }
 
-TEST_F(ObjectsTest, DefaultTextures) {
+TEST_F(TextureObjects, DefaultTextures) {
   glBindTexture(GL_TEXTURE_2D, 0);
   filter(GL_TEXTURE_2D, GL_LINEAR);
   specify(0, 2, 2, GL_ALPHA);
@@ -67,7 +67,7 @@ TEST_F(ObjectsTest, DefaultTextures) {
   EXPECT_EQ(renderer(context).textures[1].image, renderer(context).textures[0].image);
 }
 
-TEST_F(ObjectsTest, Parameters) {
+TEST_F(TextureObjects, Parameters) {
   struct Case {
     GLenum pname;
     GLint initial;
@@ -121,7 +121,7 @@ TEST_F(ObjectsTest, Parameters) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST_F(ObjectsTest, CropRectangle) {
+TEST_F(TextureObjects, CropRectangle) {
   const GLint integers[4] = {1, -2, 0x7fffffff, INT32_MIN};
   const GLfixed fixeds[4] = {65536, -131072, 3 << 16, 4 << 16};
   const GLfloat floats[4] = {1, 2.4f, -3.6f, NAN};
@@ -144,7 +144,7 @@ TEST_F(ObjectsTest, CropRectangle) {
   for (int i = 0; i < 4; ++i) EXPECT_EQ(got[i], rounded[i]);
 }
 
-TEST_F(ObjectsTest, SharedTextures) {
+TEST_F(TextureObjects, SharedTextures) {
   const std::vector<uint8_t> data = noise(64, 1);
   specify(0, 4, 4, GL_RGBA, data.data());
   draw();
@@ -182,7 +182,7 @@ TEST_F(ObjectsTest, SharedTextures) {
   gl::makeCurrent(context.get());
 }
 
-TEST_F(ObjectsTest, BoundImages) {
+TEST_F(TextureObjects, BoundImages) {
   const auto pbuffer = device.createImage({.format = render::Format::RGBA8, .width = 8, .height = 4});
   specify(0, 2, 2);
   EXPECT_FALSE(gl::bindTexImage(*context, GL_TEXTURE_CUBE_MAP_OES, pbuffer, true));
@@ -211,7 +211,7 @@ TEST_F(ObjectsTest, BoundImages) {
   EXPECT_EQ(pbuffer.use_count(), 1);
 }
 
-TEST_F(ObjectsTest, Buffers) {
+TEST_F(TextureObjects, Buffers) {
   GLuint names[2];
   glGenBuffers(2, names);
   EXPECT_FALSE(glIsBuffer(names[0]));
@@ -265,7 +265,7 @@ TEST_F(ObjectsTest, Buffers) {
   EXPECT_FALSE(glIsBuffer(names[0]));
 }
 
-TEST_F(ObjectsTest, SharedBuffers) {
+TEST_F(TextureObjects, SharedBuffers) {
   const std::vector<uint8_t> data = noise(64, 1);
   glBindBuffer(GL_ARRAY_BUFFER, 5);
   glBufferData(GL_ARRAY_BUFFER, 64, data.data(), GL_STATIC_DRAW);

@@ -4,7 +4,7 @@
 namespace anteroom::test {
 namespace {
 
-class CompletenessTest : public TexturesTest {
+class TextureStorageCompleteness : public TexturesTest {
  protected:
   static void image(GLenum target, int level, int width, int height, GLenum format = GL_RGBA,
                     GLenum type = GL_UNSIGNED_BYTE) {
@@ -24,7 +24,7 @@ class CompletenessTest : public TexturesTest {
 
 constexpr GLenum kFirst = GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES;
 
-TEST_F(CompletenessTest, Flat) {
+TEST_F(TextureStorageCompleteness, Flat) {
   constexpr GLenum k2D = GL_TEXTURE_2D;
   struct Case {
     const char* what;
@@ -87,7 +87,7 @@ TEST_F(CompletenessTest, Flat) {
   EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-TEST_F(CompletenessTest, Cube) {
+TEST_F(TextureStorageCompleteness, Cube) {
   struct Case {
     const char* what;
     bool withoutMipmaps, withMipmaps;
@@ -134,7 +134,7 @@ TEST_F(CompletenessTest, Cube) {
 }
 
 // OES_texture_cube_map: with both targets enabled the cube map counts, complete or not.
-TEST_F(CompletenessTest, CubeMapBeats2DOnEveryUnit) {
+TEST_F(TextureStorageCompleteness, CubeMapBeats2DOnEveryUnit) {
   for (GLenum unit = 0; unit < 8; ++unit) {
     glActiveTexture(GL_TEXTURE0 + unit);
     glBindTexture(GL_TEXTURE_2D, 1);
@@ -160,9 +160,9 @@ TEST_F(CompletenessTest, CubeMapBeats2DOnEveryUnit) {
     EXPECT_EQ(unit.target, gen::TextureTarget::CubeMap);
 }
 
-using StorageTest = Texture2DTest;
+using TextureStorage = Texture2DTest;
 
-TEST_F(StorageTest, NothingBeforeTheFirstUse) {
+TEST_F(TextureStorage, NothingBeforeTheFirstUse) {
   const std::vector<uint8_t> data = noise(16 * 16 * 4, 1);
   specify(0, 16, 16, GL_RGBA, data.data());
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, data.data());
@@ -175,7 +175,7 @@ TEST_F(StorageTest, NothingBeforeTheFirstUse) {
   EXPECT_EQ(device.log.uploads, 1);
 }
 
-TEST_F(StorageTest, GrowsWhenMoreLevelsCanBeSelected) {
+TEST_F(TextureStorage, GrowsWhenMoreLevelsCanBeSelected) {
   const std::vector<uint8_t> data = noise(8 * 8 * 4, 1);
   for (int level = 0; level < 4; ++level) specify(level, 8 >> level, 8 >> level, GL_RGBA, data.data());
   EXPECT_EQ(draw()->desc().levels, 1);
@@ -194,7 +194,7 @@ TEST_F(StorageTest, GrowsWhenMoreLevelsCanBeSelected) {
   EXPECT_EQ(draw(), image);
 }
 
-TEST_F(StorageTest, SubImageThenDrawIsOneUploadFromClientMemory) {
+TEST_F(TextureStorage, SubImageThenDrawIsOneUploadFromClientMemory) {
   const std::vector<uint8_t> data = noise(512 * 512 * 4, 1);
   specify(0, 512, 512);
   FakeImage* image = draw();
@@ -208,7 +208,7 @@ TEST_F(StorageTest, SubImageThenDrawIsOneUploadFromClientMemory) {
 }
 
 // Levels of one internal format but different types are complete; they are kept in the wider format.
-TEST_F(StorageTest, LevelsOfDifferentTypes) {
+TEST_F(TextureStorage, LevelsOfDifferentTypes) {
   filter(GL_TEXTURE_2D, GL_NEAREST_MIPMAP_NEAREST);
   const std::vector<uint8_t> data = noise(64, 1);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 2, 2, 0, GL_RGBA, GL_UNSIGNED_SHORT_4_4_4_4, data.data());
@@ -224,7 +224,7 @@ TEST_F(StorageTest, LevelsOfDifferentTypes) {
 }
 
 // What another level said survives while level 0 has another size for a while.
-TEST_F(StorageTest, LevelsOutliveTheImage) {
+TEST_F(TextureStorage, LevelsOutliveTheImage) {
   filter(GL_TEXTURE_2D, GL_NEAREST_MIPMAP_NEAREST);
   const std::vector<uint8_t> data = noise(8 * 8 * 4, 1);
   for (int level = 0; level < 4; ++level) specify(level, 8 >> level, 8 >> level, GL_RGBA, data.data());
@@ -244,7 +244,7 @@ TEST_F(StorageTest, LevelsOutliveTheImage) {
   EXPECT_EQ(device.log.liveImages, 1);
 }
 
-TEST_F(StorageTest, AutomaticMipmapsAreMadeWhenTheyAreSampled) {
+TEST_F(TextureStorage, AutomaticMipmapsAreMadeWhenTheyAreSampled) {
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   const std::vector<uint8_t> data(8 * 8 * 4, 200), other(8 * 8 * 4, 100);
   specify(0, 8, 8, GL_RGBA, data.data());
@@ -269,7 +269,7 @@ TEST_F(StorageTest, AutomaticMipmapsAreMadeWhenTheyAreSampled) {
 }
 
 // Levels that were derived keep what they were derived from.
-TEST_F(StorageTest, DerivedLevelsSurviveAnUnderivedBase) {
+TEST_F(TextureStorage, DerivedLevelsSurviveAnUnderivedBase) {
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   const std::vector<uint8_t> data(8 * 8 * 4, 200), other(8 * 8 * 4, 100);
   specify(0, 8, 8, GL_RGBA, data.data());
@@ -282,7 +282,7 @@ TEST_F(StorageTest, DerivedLevelsSurviveAnUnderivedBase) {
 }
 
 // Whatever call runs out of memory: the error, nothing changed, and the next try works.
-TEST_F(StorageTest, OutOfMemory) {
+TEST_F(TextureStorage, OutOfMemory) {
   const std::vector<uint8_t> data = noise(8 * 8 * 4, 1), other = noise(8 * 8 * 4, 2);
   glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
   specify(0, 8, 8, GL_RGBA, data.data());
@@ -314,7 +314,7 @@ TEST_F(StorageTest, OutOfMemory) {
   }
 }
 
-TEST_F(StorageTest, SamplerState) {
+TEST_F(TextureStorage, SamplerState) {
   specify(0, 4, 4);
   draw();
   const render::TextureBinding& binding = renderer(context).textures[0];
@@ -330,7 +330,7 @@ TEST_F(StorageTest, SamplerState) {
   EXPECT_EQ(binding.sampler.wrapT, GLenum{GL_MIRRORED_REPEAT_OES});
 }
 
-TEST_F(StorageTest, ImagesGoWithTheirTextures) {
+TEST_F(TextureStorage, ImagesGoWithTheirTextures) {
   specify(0, 4, 4);
   draw();
   EXPECT_EQ(device.log.liveImages, 1);

@@ -5,7 +5,7 @@
 namespace anteroom::test {
 namespace {
 
-class UnpackTest : public Texture2DTest {
+class Unpacking : public Texture2DTest {
  protected:
   // Client memory that ends with the last texel, at an odd address when `odd`.
   struct Memory {
@@ -32,7 +32,7 @@ class UnpackTest : public Texture2DTest {
   }
 };
 
-TEST_F(UnpackTest, TexImage) {
+TEST_F(Unpacking, TexImage) {
   unsigned seed = 0;
   for (const Pair& pair : kPairs) {
     for (const int alignment : {1, 2, 4, 8}) {
@@ -61,7 +61,7 @@ TEST_F(UnpackTest, TexImage) {
   }
 }
 
-TEST_F(UnpackTest, TexSubImage) {
+TEST_F(Unpacking, TexSubImage) {
   unsigned seed = 1000;
   for (const Pair& pair : kPairs) {
     for (const int alignment : {1, 2, 4, 8}) {
@@ -83,7 +83,7 @@ TEST_F(UnpackTest, TexSubImage) {
 }
 
 // Sub-images may come in another type than the level: each component goes to the nearest value.
-TEST_F(UnpackTest, TexSubImageOfAnotherType) {
+TEST_F(Unpacking, TexSubImageOfAnotherType) {
   const auto exact = [](const Pair& pair, const uint8_t* texel) {
     std::array<double, 4> value{0, 0, 0, 1};
     if (pair.element == 1) {
@@ -131,7 +131,7 @@ TEST_F(UnpackTest, TexSubImageOfAnotherType) {
   }
 }
 
-TEST_F(UnpackTest, NullPixelsMakeALevel) {
+TEST_F(Unpacking, NullPixelsMakeALevel) {
   specify(0, 5, 6);
   FakeImage* image = draw();
   ASSERT_TRUE(image);
@@ -141,7 +141,7 @@ TEST_F(UnpackTest, NullPixelsMakeALevel) {
 }
 
 // What a sub-image does not touch of a level that never had texels is zero, not somebody's memory.
-TEST_F(UnpackTest, PartialSubImageOfUndefinedLevel) {
+TEST_F(Unpacking, PartialSubImageOfUndefinedLevel) {
   specify(0, 4, 4);
   const std::vector<uint8_t> data = noise(4, 1);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 2, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, data.data());
@@ -153,7 +153,7 @@ TEST_F(UnpackTest, PartialSubImageOfUndefinedLevel) {
   }
 }
 
-TEST_F(UnpackTest, PixelStore) {
+TEST_F(Unpacking, PixelStore) {
   for (const GLenum pname : {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT}) {
     GLint value = 0;
     for (const GLint legal : {1, 2, 4, 8}) {

@@ -1,5 +1,5 @@
 // Draws many state mixes in several threads at once, each beside the pipelines that are made ahead, and
-// prints a number that their pictures make. states-program [THREADS].
+// prints a number that their pictures make. states_program [THREADS].
 #include <cstdio>
 #include <cstdlib>
 #include <vector>

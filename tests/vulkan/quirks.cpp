@@ -15,7 +15,7 @@ bool same(const Quirks& a, const Quirks& b) {
   return std::ranges::all_of(allQuirks(), [&](const Quirk& q) { return a.*q.member == b.*q.member; });
 }
 
-TEST(QuirkRows, NamesAreWordsAndUnique) {
+TEST(QuirksTable, NamesAreWordsAndUnique) {
   std::set<std::string_view> names;
   for (const Quirk& quirk : allQuirks()) {
     EXPECT_TRUE(names.insert(quirk.name).second) << quirk.name;
@@ -27,7 +27,7 @@ TEST(QuirkRows, NamesAreWordsAndUnique) {
   }
 }
 
-TEST(QuirkRows, VersionsInText) {
+TEST(QuirksTable, VersionsInText) {
   EXPECT_EQ(versionIn("Mesa 22.3.6 (LLVM 15.0.6)"), (DriverVersion{22, 3, 6}));
   EXPECT_EQ(versionIn("Mesa 23.1.0-devel (git-0123abcd)"), (DriverVersion{23, 1, 0}));
   EXPECT_EQ(versionIn("535.129.03"), (DriverVersion{535, 129, 3}));
@@ -37,7 +37,7 @@ TEST(QuirkRows, VersionsInText) {
   EXPECT_EQ(versionIn(""), DriverVersion{});
 }
 
-TEST(QuirkRows, MatchByDriverAndVersion) {
+TEST(QuirksTable, MatchByDriverAndVersion) {
   Quirk quirk{};
   quirk.driver = VK_DRIVER_ID_MESA_LLVMPIPE;
   EXPECT_TRUE(quirk.matches(kLavapipe));

@@ -10,7 +10,7 @@ namespace anteroom::gl::test {
 
 namespace {
 
-class StateTest : public GlTest {
+class StateSetting : public GlTest {
  protected:
   glm::vec4 material(GLenum pname) {
     glm::vec4 value;
@@ -21,7 +21,7 @@ class StateTest : public GlTest {
 
 }  // namespace
 
-TEST_F(StateTest, FixedPointConversions) {
+TEST_F(StateSetting, FixedPointConversions) {
   EXPECT_EQ(toFixed(1.0), 65536);
   EXPECT_EQ(toFixed(0.5 / 65536), 1);
   EXPECT_EQ(toFixed(-0.5 / 65536), -1);
@@ -32,7 +32,7 @@ TEST_F(StateTest, FixedPointConversions) {
   EXPECT_EQ(fromFixed(-32768), -0.5f);
 }
 
-TEST_F(StateTest, ColorsBecomeTheWholeRangeOfInt) {
+TEST_F(StateSetting, ColorsBecomeTheWholeRangeOfInt) {
   glColor4f(1, -1, 0.5f, 7);
   GLint color[4];
   glGetIntegerv(GL_CURRENT_COLOR, color);
@@ -50,13 +50,13 @@ TEST_F(StateTest, ColorsBecomeTheWholeRangeOfInt) {
   EXPECT_EQ(booleans[2], GL_TRUE);
 }
 
-TEST_F(StateTest, BytesBecomeColorsByTable27) {
+TEST_F(StateSetting, BytesBecomeColorsByTable27) {
   glColor4ub(255, 0, 51, 128);
   const glm::vec4& color = state().fixed.attributes[gen::kColor].current;
   EXPECT_EQ(color, glm::vec4(1, 0, 0.2f, 128 / 255.0f));
 }
 
-TEST_F(StateTest, OtherNumbersAreRounded) {
+TEST_F(StateSetting, OtherNumbersAreRounded) {
   glLineWidth(2.5f);
   EXPECT_EQ(integer(GL_LINE_WIDTH), 3);
   glPolygonOffset(-1.4f, 3e10f);
@@ -64,7 +64,7 @@ TEST_F(StateTest, OtherNumbersAreRounded) {
   EXPECT_EQ(integer(GL_POLYGON_OFFSET_UNITS), std::numeric_limits<GLint>::max());
 }
 
-TEST_F(StateTest, GetFixedScalesNumbersButNotEnums) {
+TEST_F(StateSetting, GetFixedScalesNumbersButNotEnums) {
   GLfixed value = 0;
   glGetFixedv(GL_FOG_MODE, &value);
   EXPECT_EQ(value, GL_EXP);
@@ -76,7 +76,7 @@ TEST_F(StateTest, GetFixedScalesNumbersButNotEnums) {
   EXPECT_EQ(value, 2048 << 16);
 }
 
-TEST_F(StateTest, EnumsOfFixedCommandsAreNotScaled) {
+TEST_F(StateSetting, EnumsOfFixedCommandsAreNotScaled) {
   glFogx(GL_FOG_MODE, GL_LINEAR);
   EXPECT_EQ(integer(GL_FOG_MODE), GL_LINEAR);
   glFogx(GL_FOG_DENSITY, 3 << 15);
@@ -89,7 +89,7 @@ TEST_F(StateTest, EnumsOfFixedCommandsAreNotScaled) {
   EXPECT_EQ(state().fixed.units[0].env.rgbScale, 2);
 }
 
-TEST_F(StateTest, IntegerEnvironmentColorsAreNormalised) {
+TEST_F(StateSetting, IntegerEnvironmentColorsAreNormalised) {
   const GLint color[4] = {std::numeric_limits<GLint>::max(), 0, std::numeric_limits<GLint>::min(), 1 << 30};
   glTexEnviv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, color);
   const glm::vec4& stored = state().fixed.units[0].env.color;
@@ -99,7 +99,7 @@ TEST_F(StateTest, IntegerEnvironmentColorsAreNormalised) {
   EXPECT_NEAR(stored.w, 0.5, 1e-6);
 }
 
-TEST_F(StateTest, ClampedValuesAreClampedEvenNan) {
+TEST_F(StateSetting, ClampedValuesAreClampedEvenNan) {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   glClearColor(-1, 2, kNan, 0.5f);
   EXPECT_EQ(state().clear.color, glm::vec4(0, 1, 0, 0.5f));
@@ -110,7 +110,7 @@ TEST_F(StateTest, ClampedValuesAreClampedEvenNan) {
   EXPECT_EQ(state().fixed.alphaRef, 1);
 }
 
-TEST_F(StateTest, LightsAreMovedByTheModelviewOfTheirTime) {
+TEST_F(StateSetting, LightsAreMovedByTheModelviewOfTheirTime) {
   glTranslatef(1, 2, 3);
   glScalef(2, 2, 2);
   const GLfloat position[4] = {1, 0, 0, 1}, direction[3] = {0, 0, -1};
@@ -124,12 +124,12 @@ TEST_F(StateTest, LightsAreMovedByTheModelviewOfTheirTime) {
   EXPECT_EQ(glm::vec3(value[0], value[1], value[2]), glm::vec3(0, 0, -2));
 }
 
-TEST_F(StateTest, LightZeroIsWhite) {
+TEST_F(StateSetting, LightZeroIsWhite) {
   EXPECT_EQ(state().fixed.lighting.lights[0].diffuse, glm::vec4(1));
   EXPECT_EQ(state().fixed.lighting.lights[1].diffuse, glm::vec4(0, 0, 0, 1));
 }
 
-TEST_F(StateTest, ColorMaterialFollowsAndStays) {
+TEST_F(StateSetting, ColorMaterialFollowsAndStays) {
   const GLfloat red[4] = {1, 0, 0, 1};
   glMaterialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, red);
   glColor4f(0, 1, 0, 1);
@@ -146,7 +146,7 @@ TEST_F(StateTest, ColorMaterialFollowsAndStays) {
   EXPECT_EQ(material(GL_DIFFUSE), glm::vec4(0, 0, 1, 1));
 }
 
-TEST_F(StateTest, ClipPlanesAreInEyeCoordinates) {
+TEST_F(StateSetting, ClipPlanesAreInEyeCoordinates) {
   glTranslatef(0, 0, -5);
   const GLfloat plane[4] = {0, 0, 1, 0};
   glClipPlanef(GL_CLIP_PLANE1, plane);
@@ -159,7 +159,7 @@ TEST_F(StateTest, ClipPlanesAreInEyeCoordinates) {
   for (float v : value) EXPECT_EQ(v, 0);
 }
 
-TEST_F(StateTest, EveryCapabilitySwitches) {
+TEST_F(StateSetting, EveryCapabilitySwitches) {
   const GLenum capabilities[] = {GL_LIGHTING,     GL_COLOR_MATERIAL,
                                  GL_NORMALIZE,    GL_RESCALE_NORMAL,
                                  GL_TEXTURE_2D,   GL_FOG,
@@ -190,7 +190,7 @@ TEST_F(StateTest, EveryCapabilitySwitches) {
   }
 }
 
-TEST_F(StateTest, UnchangedStateMarksNothing) {
+TEST_F(StateSetting, UnchangedStateMarksNothing) {
   const auto again = [this](auto&& command) {
     command();
     changed() = 0;
@@ -208,7 +208,7 @@ TEST_F(StateTest, UnchangedStateMarksNothing) {
   again([] { glPointSize(4); });
 }
 
-TEST_F(StateTest, StencilReferenceIsClampedToTheBuffer) {
+TEST_F(StateSetting, StencilReferenceIsClampedToTheBuffer) {
   glStencilFunc(GL_ALWAYS, 300, ~0u);
   EXPECT_EQ(integer(GL_STENCIL_REF), 255);
   EXPECT_EQ(integer(GL_STENCIL_VALUE_MASK), -1);
@@ -216,7 +216,7 @@ TEST_F(StateTest, StencilReferenceIsClampedToTheBuffer) {
   EXPECT_EQ(integer(GL_STENCIL_REF), 0);
 }
 
-TEST_F(StateTest, FramebufferGivesBitsAndFirstViewport) {
+TEST_F(StateSetting, FramebufferGivesBitsAndFirstViewport) {
   EXPECT_EQ(integer(GL_RED_BITS), 8);
   EXPECT_EQ(integer(GL_ALPHA_BITS), 8);
   EXPECT_EQ(integer(GL_DEPTH_BITS), 24);
@@ -247,7 +247,7 @@ TEST_F(StateTest, FramebufferGivesBitsAndFirstViewport) {
   EXPECT_FALSE(state().fixed.multisample);
 }
 
-TEST_F(StateTest, ViewportIsClampedToTheLimit) {
+TEST_F(StateSetting, ViewportIsClampedToTheLimit) {
   glViewport(-5, 7, 1 << 20, 9);
   GLint box[4];
   glGetIntegerv(GL_VIEWPORT, box);
@@ -256,14 +256,14 @@ TEST_F(StateTest, ViewportIsClampedToTheLimit) {
   EXPECT_EQ(box[3], 9);
 }
 
-TEST_F(StateTest, PointSizeMaximumIsTheDevices) {
+TEST_F(StateSetting, PointSizeMaximumIsTheDevices) {
   EXPECT_EQ(integer(GL_POINT_SIZE_MAX), 64);
   GLfloat range[2];
   glGetFloatv(GL_SMOOTH_POINT_SIZE_RANGE, range);
   EXPECT_EQ(range[1], 32);
 }
 
-TEST_F(StateTest, StringsNameTheVersionAndTheRequiredExtensions) {
+TEST_F(StateSetting, StringsNameTheVersionAndTheRequiredExtensions) {
   EXPECT_TRUE(std::string_view(reinterpret_cast<const char*>(glGetString(GL_VERSION)))
                   .starts_with("OpenGL ES-CM 1.1 Anteroom "));
   EXPECT_STREQ(reinterpret_cast<const char*>(glGetString(GL_RENDERER)), "Anteroom on a fake");
@@ -277,7 +277,7 @@ TEST_F(StateTest, StringsNameTheVersionAndTheRequiredExtensions) {
   }
 }
 
-TEST_F(StateTest, ContextsAreApart) {
+TEST_F(StateSetting, ContextsAreApart) {
   ContextPtr other = createContext(device, context.get(), {});
   glLineWidth(5);
   makeCurrent(other.get());

@@ -7,9 +7,9 @@ namespace {
 
 constexpr GLfloat kVertices[32] = {};
 
-class DrawTest : public GlTest {
+class Drawing : public GlTest {
  protected:
-  DrawTest() {
+  Drawing() {
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, kVertices);
   }
@@ -25,7 +25,7 @@ class DrawTest : public GlTest {
 
 }  // namespace
 
-TEST_F(DrawTest, CarriesTheCallAndThePrimitive) {
+TEST_F(Drawing, CarriesTheCallAndThePrimitive) {
   glDrawArrays(GL_LINE_LOOP, 2, 5);
   ASSERT_EQ(draws(), 1u);
   const render::DrawCall& call = renderer().draws[0].call;
@@ -36,7 +36,7 @@ TEST_F(DrawTest, CarriesTheCallAndThePrimitive) {
   EXPECT_EQ(state().fixed.primitive, gen::PrimitiveClass::Lines);
 }
 
-TEST_F(DrawTest, ASecondEqualDrawFindsNothingMarked) {
+TEST_F(Drawing, ASecondEqualDrawFindsNothingMarked) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glVertexPointer(3, GL_FLOAT, 12, kVertices);  // the same place and stride in other words
@@ -51,7 +51,7 @@ TEST_F(DrawTest, ASecondEqualDrawFindsNothingMarked) {
   EXPECT_EQ(renderer().draws[4].changed, gen::Groups{gen::kGroupPrimitive});
 }
 
-TEST_F(DrawTest, ADrawThatFailedSettlesNothing) {
+TEST_F(Drawing, ADrawThatFailedSettlesNothing) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glColor4f(1, 0, 0, 1);
   renderer().outOfMemory = true;
@@ -65,7 +65,7 @@ TEST_F(DrawTest, ADrawThatFailedSettlesNothing) {
   EXPECT_EQ(renderer().draws[3].changed, 0u);
 }
 
-TEST_F(DrawTest, AClearSettlesNothing) {
+TEST_F(Drawing, AClearSettlesNothing) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glColor4f(1, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -74,7 +74,7 @@ TEST_F(DrawTest, AClearSettlesNothing) {
 }
 
 // OES_draw_texture: its state is another one, and the next draw is told so.
-TEST_F(DrawTest, ARectangleLeavesTheStateAlone) {
+TEST_F(Drawing, ARectangleLeavesTheStateAlone) {
   glEnable(GL_CULL_FACE);
   glTranslatef(1, 2, 3);
   glDrawArrays(GL_LINES, 0, 2);
@@ -95,7 +95,7 @@ TEST_F(DrawTest, ARectangleLeavesTheStateAlone) {
   }
 }
 
-TEST_F(DrawTest, ArraysReachTheRenderer) {
+TEST_F(Drawing, ArraysReachTheRenderer) {
   static const GLubyte colors[64] = {};
   glEnableClientState(GL_COLOR_ARRAY);
   glColorPointer(4, GL_UNSIGNED_BYTE, 8, colors);
@@ -119,7 +119,7 @@ TEST_F(DrawTest, ArraysReachTheRenderer) {
   EXPECT_FALSE(attributes[gen::kColor].array);
 }
 
-TEST_F(DrawTest, NothingToDrawDrawsNothing) {
+TEST_F(Drawing, NothingToDrawDrawsNothing) {
   glDrawArrays(GL_TRIANGLES, 0, 0);
   glDrawArrays(GL_TRIANGLES, 0, 2);
   glDrawArrays(GL_LINES, 0, 1);
@@ -133,7 +133,7 @@ TEST_F(DrawTest, NothingToDrawDrawsNothing) {
   EXPECT_EQ(draws(), 0u);
 }
 
-TEST_F(DrawTest, AnArrayWithoutMemoryGivesTheCurrentValue) {
+TEST_F(Drawing, AnArrayWithoutMemoryGivesTheCurrentValue) {
   glEnableClientState(GL_COLOR_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -142,13 +142,13 @@ TEST_F(DrawTest, AnArrayWithoutMemoryGivesTheCurrentValue) {
   EXPECT_FALSE(state().fixed.attributes[gen::kNormal].array);
 }
 
-TEST_F(DrawTest, VertexCountsThatOverflowAreRefused) {
+TEST_F(Drawing, VertexCountsThatOverflowAreRefused) {
   glDrawArrays(GL_POINTS, 0x7FFFFFFF, 2);
   EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
   EXPECT_EQ(draws(), 0u);
 }
 
-TEST_F(DrawTest, BufferObjectsAreUsedInPlace) {
+TEST_F(Drawing, BufferObjectsAreUsedInPlace) {
   const GLuint name = buffer(GL_ARRAY_BUFFER, 100);
   glVertexPointer(2, GL_SHORT, 20, reinterpret_cast<const void*>(8));
   glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -160,7 +160,7 @@ TEST_F(DrawTest, BufferObjectsAreUsedInPlace) {
   EXPECT_EQ(state().arrays[gen::kPosition].pointer, reinterpret_cast<const void*>(8));
 }
 
-TEST_F(DrawTest, AReplacedStoreIsSeenByTheNextDraw) {
+TEST_F(Drawing, AReplacedStoreIsSeenByTheNextDraw) {
   buffer(GL_ARRAY_BUFFER, 100);
   glVertexPointer(2, GL_SHORT, 0, nullptr);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -174,7 +174,7 @@ TEST_F(DrawTest, AReplacedStoreIsSeenByTheNextDraw) {
   EXPECT_EQ(draws(), 2u);
 }
 
-TEST_F(DrawTest, AStoreThatAnotherContextReplacedIsSeenByTheNextDraw) {
+TEST_F(Drawing, AStoreThatAnotherContextReplacedIsSeenByTheNextDraw) {
   const GLuint name = buffer(GL_ARRAY_BUFFER, 100);
   glVertexPointer(2, GL_SHORT, 0, nullptr);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -188,7 +188,7 @@ TEST_F(DrawTest, AStoreThatAnotherContextReplacedIsSeenByTheNextDraw) {
   EXPECT_EQ(renderer().draws.back().changed, gen::Groups{gen::kGroupArrays});
 }
 
-TEST_F(DrawTest, ADeletedBufferIsNotReadAgain) {
+TEST_F(Drawing, ADeletedBufferIsNotReadAgain) {
   const GLuint name = buffer(GL_ARRAY_BUFFER, 100);
   glVertexPointer(2, GL_SHORT, 0, reinterpret_cast<const void*>(16));
   glDeleteBuffers(1, &name);
@@ -197,7 +197,7 @@ TEST_F(DrawTest, ADeletedBufferIsNotReadAgain) {
   EXPECT_EQ(integer(GL_VERTEX_ARRAY_BUFFER_BINDING), 0);
 }
 
-TEST_F(DrawTest, IndicesBeyondTheirBufferDrawNothing) {
+TEST_F(Drawing, IndicesBeyondTheirBufferDrawNothing) {
   buffer(GL_ELEMENT_ARRAY_BUFFER, 12);
   glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, nullptr);
   ASSERT_EQ(draws(), 1u);
@@ -208,7 +208,7 @@ TEST_F(DrawTest, IndicesBeyondTheirBufferDrawNothing) {
   EXPECT_EQ(draws(), 1u);
 }
 
-TEST_F(DrawTest, ClientIndicesArePassedOn) {
+TEST_F(Drawing, ClientIndicesArePassedOn) {
   const GLubyte indices[3] = {2, 1, 0};
   glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices);
   ASSERT_EQ(draws(), 1u);
@@ -216,7 +216,7 @@ TEST_F(DrawTest, ClientIndicesArePassedOn) {
   EXPECT_EQ(renderer().draws[0].call.indexBuffer, nullptr);
 }
 
-TEST_F(DrawTest, ClearsReachTheRenderer) {
+TEST_F(Drawing, ClearsReachTheRenderer) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glClear(0);
   ASSERT_EQ(renderer().clears.size(), 1u);
