@@ -12,42 +12,10 @@ World& world() {
 
 namespace {
 
-struct Image : render::Image {
-  explicit Image(const render::ImageDesc& desc) : render::Image(desc) { ++world().images; }
-  ~Image() override { --world().images; }
-};
-
-struct Renderer : render::Context {
-  bool draw(const render::State&, gen::Groups, const render::DrawCall&) override { return true; }
-  bool clear(const render::State&, gen::Groups, GLbitfield) override { return true; }
-  bool readPixels(const render::Framebuffer&, const render::Rect&, render::Format, void*, size_t) override {
-    return true;
-  }
-  bool upload(render::Image&, const render::Region&, const void*, size_t, size_t) override { return true; }
-  bool copyFromFramebuffer(render::Image&, const render::Region&, const render::Framebuffer&, int,
-                           int) override {
-    return true;
-  }
-  bool copyLevel(render::Image&, int, render::Image&, int) override { return true; }
-  bool generateMipmaps(render::Image&) override { return true; }
-  void flush() override { ++world().flushes; }
-  void finish() override { ++world().finishes; }
-  uint64_t insertFence() override { return ++fences; }
-  bool waitFence(uint64_t, uint64_t) override { return world().fencesPass; }
-  const render::Stats& stats() const override { return counted; }
-  uint64_t fences = 0;
-  render::Stats counted;
-};
-
-struct Device : render::Device {
-  Device() { ++world().devices; }
+struct Device : test::FakeDevice {
+  Device() : FakeDevice(world().log) { ++world().devices; }
   ~Device() override { --world().devices; }
   const render::Caps& caps() const override { return world().caps; }
-  std::shared_ptr<render::Image> createImage(const render::ImageDesc& desc) override {
-    return world().noMemory ? nullptr : std::make_shared<Image>(desc);
-  }
-  std::shared_ptr<render::Buffer> createBuffer(size_t, const void*) override { return nullptr; }
-  std::unique_ptr<render::Context> createContext() override { return std::make_unique<Renderer>(); }
 };
 
 std::unique_ptr<render::Device> createFake(const egl::RendererOptions&, std::string& error) {
@@ -67,7 +35,7 @@ class Context {
  public:
   Context() { ++fake::world().contexts; }
   ~Context() { --fake::world().contexts; }
-  fake::Renderer renderer;
+  test::FakeContext renderer{fake::world().log};
   render::Framebuffer framebuffer, readFramebuffer;
   std::shared_ptr<render::Image> texture;
 };
@@ -77,7 +45,7 @@ thread_local Context* currentOfThread = nullptr;
 }
 
 std::unique_ptr<Context, void (*)(Context*)> createContext(render::Device&, Context*, const ContextOptions&) {
-  Context* context = fake::world().noMemory ? nullptr : new Context;
+  Context* context = fake::world().log.outOfMemory ? nullptr : new Context;
   return {context, [](Context* old) { delete old; }};
 }
 Context* currentContext() {

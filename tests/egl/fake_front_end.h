@@ -1,16 +1,16 @@
-// A GL front end and a renderer that draw nothing: EGL by itself, with counters and failures on demand.
+// A GL front end that does nothing, on a renderer that draws nothing: EGL by itself, with counters and
+// failures on demand.
 #pragma once
 
 #include "layer/gl/front_end.h"
+#include "tests/fake_renderer/fake_renderer.h"
 
 namespace anteroom::fake {
 
 struct World {
   bool noDevice = false;
-  bool noMemory = false;  // for contexts and images
-  bool fencesPass = true;
-  int devices = 0, contexts = 0, images = 0;  // alive
-  int flushes = 0, finishes = 0;
+  int devices = 0, contexts = 0;  // alive
+  test::FakeLog log;              // of all devices
   render::Caps caps;
 };
 World& world();

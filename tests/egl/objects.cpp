@@ -26,7 +26,7 @@ class EglObjects : public testing::Test {
     eglReleaseThread();
     eglTerminate(display);
     EXPECT_EQ(world().contexts, 0);
-    EXPECT_EQ(world().images, 0);
+    EXPECT_EQ(world().log.liveImages, 0);
     EXPECT_EQ(world().devices, 0);
   }
   void initialize() {
@@ -78,21 +78,21 @@ TEST_F(EglObjects, UnknownRendererIsNamed) {
 TEST_F(EglObjects, OutOfMemory) {
   const EGLSurface surface = pbuffer();
   const EGLContext current = context();
-  world().noMemory = true;
+  world().log.outOfMemory = true;
   EXPECT_EQ(context(), EGL_NO_CONTEXT);
   EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
   EXPECT_FALSE(eglMakeCurrent(display, surface, surface, current));
   EXPECT_EQ(eglGetError(), EGL_BAD_ALLOC);
   EXPECT_EQ(eglGetCurrentContext(), EGL_NO_CONTEXT);
-  world().noMemory = false;
+  world().log.outOfMemory = false;
   EXPECT_TRUE(eglMakeCurrent(display, surface, surface, current));
 }
 
 TEST_F(EglObjects, SurfacesHaveNoImagesBeforeTheyAreCurrent) {
   const EGLSurface surface = pbuffer();
-  EXPECT_EQ(world().images, 0);
+  EXPECT_EQ(world().log.liveImages, 0);
   ASSERT_TRUE(eglMakeCurrent(display, surface, surface, context()));
-  EXPECT_EQ(world().images, 2);  // color; depth and stencil in one
+  EXPECT_EQ(world().log.liveImages, 2);  // color; depth and stencil in one
   const render::Framebuffer& framebuffer = fake::currentFramebuffer();
   EXPECT_EQ(framebuffer.width, 64);
   EXPECT_EQ(framebuffer.height, 32);
@@ -127,7 +127,7 @@ TEST_F(EglObjects, DestroyedWhileCurrentLivesUntilReleased) {
   EXPECT_EQ(eglGetError(), EGL_BAD_SURFACE);
   EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
   EXPECT_EQ(world().contexts, 0);
-  EXPECT_EQ(world().images, 0);
+  EXPECT_EQ(world().log.liveImages, 0);
 }
 
 TEST_F(EglObjects, TerminatedWhileCurrentLivesUntilReleased) {
@@ -150,7 +150,7 @@ TEST_F(EglObjects, ReleasedContextsHoldNoSurface) {
   ASSERT_TRUE(eglMakeCurrent(display, surface, surface, context()));
   ASSERT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT));
   EXPECT_TRUE(eglDestroySurface(display, surface));
-  EXPECT_EQ(world().images, 0);
+  EXPECT_EQ(world().log.liveImages, 0);
   EXPECT_EQ(world().contexts, 1);
 }
 
@@ -158,7 +158,7 @@ TEST_F(EglObjects, ThreadsThatEndGiveTheirContextBack) {
   const EGLSurface surface = pbuffer();
   const EGLContext shared = context();
   std::thread([&] { EXPECT_TRUE(eglMakeCurrent(display, surface, surface, shared)); }).join();
-  EXPECT_EQ(world().flushes, 1);
+  EXPECT_EQ(world().log.flushes, 1);
   EXPECT_TRUE(eglMakeCurrent(display, surface, surface, shared));
 }
 
@@ -217,11 +217,11 @@ TEST_F(EglObjects, BoundTexturesAreReleasedWithTheirTexture) {
   EXPECT_TRUE(eglReleaseTexImage(display, texture, EGL_BACK_BUFFER)) << "has no effect";
   EXPECT_TRUE(eglBindTexImage(display, texture, EGL_BACK_BUFFER));
   // The color image stays while a texture has it.
-  const int images = world().images;
+  const int images = world().log.liveImages;
   EXPECT_TRUE(eglDestroySurface(display, texture));
-  EXPECT_EQ(world().images, images - 1);
+  EXPECT_EQ(world().log.liveImages, images - 1);
   fake::deleteTexture();
-  EXPECT_EQ(world().images, images - 2);
+  EXPECT_EQ(world().log.liveImages, images - 2);
 }
 
 TEST_F(EglObjects, MipmapLevelIsRenderedTo) {
@@ -244,7 +244,7 @@ TEST_F(EglObjects, SyncsOutliveTheirContext) {
   ASSERT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, owner));
   const EGLSync sync = eglCreateSync(display, EGL_SYNC_FENCE, nullptr);
   ASSERT_NE(sync, EGL_NO_SYNC);
-  world().fencesPass = false;
+  world().log.fencesPass = false;
   EXPECT_EQ(eglClientWaitSync(display, sync, 0, 0), EGL_TIMEOUT_EXPIRED);
   EGLAttrib status = 0;
   EXPECT_TRUE(eglGetSyncAttrib(display, sync, EGL_SYNC_STATUS, &status));
@@ -252,7 +252,7 @@ TEST_F(EglObjects, SyncsOutliveTheirContext) {
   EXPECT_TRUE(eglDestroyContext(display, owner));
   EXPECT_TRUE(eglReleaseThread());
   EXPECT_EQ(world().contexts, 0);
-  EXPECT_EQ(world().finishes, 1);
+  EXPECT_EQ(world().log.finishes, 1);
   EXPECT_EQ(eglClientWaitSync(display, sync, 0, EGL_FOREVER), EGL_CONDITION_SATISFIED);
 }
 

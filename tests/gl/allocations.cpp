@@ -2,7 +2,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace {
 thread_local size_t allocations = 0;

@@ -2,7 +2,7 @@
 #include <iterator>
 
 #include "layer/gl/front_end.h"
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 

@@ -1,5 +1,5 @@
 // Sections 2.8 and 4.2.3: what reaches the renderer, and what does not.
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 
@@ -54,10 +54,10 @@ TEST_F(Drawing, ASecondEqualDrawFindsNothingMarked) {
 TEST_F(Drawing, ADrawThatFailedSettlesNothing) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glColor4f(1, 0, 0, 1);
-  renderer().outOfMemory = true;
+  device.log.outOfMemory = true;
   glDrawArrays(GL_TRIANGLES, 0, 3);
   EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});
-  renderer().outOfMemory = false;
+  device.log.outOfMemory = false;
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   ASSERT_EQ(draws(), 4u);

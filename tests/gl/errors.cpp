@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 

@@ -3,7 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 

@@ -1,7 +1,7 @@
 // Tables 6.3 to 6.23: every state variable can be asked for in every type, and begins with the value of its
 // table.
 
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 

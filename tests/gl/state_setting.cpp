@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 
@@ -281,7 +281,7 @@ TEST_F(StateSetting, ContextsAreApart) {
   ContextPtr other = createContext(device, context.get(), {});
   glLineWidth(5);
   makeCurrent(other.get());
-  EXPECT_EQ(renderer().flushes, 1);  // the former context's
+  EXPECT_EQ(device.log.flushes, 1);  // the former context's
   EXPECT_EQ(integer(GL_LINE_WIDTH), 1);
   makeCurrent(context.get());
   EXPECT_EQ(integer(GL_LINE_WIDTH), 5);

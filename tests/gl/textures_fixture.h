@@ -8,9 +8,9 @@
 #include <functional>
 #include <random>
 
-#include "image_renderer.h"
 #include "layer/gl/context/context.h"
 #include "layer/gl/front_end.h"
+#include "tests/fake_renderer/fake_renderer.h"
 
 namespace anteroom::test {
 
@@ -51,6 +51,15 @@ inline std::vector<uint8_t> noise(size_t size, unsigned seed) {
 inline Texel framebufferTexel(int x, int y) {
   return {x * 7 & 255, y * 11 & 255, (x + y) * 3 & 255, x * y & 255};
 }
+
+// With limits that tests can afford to exceed.
+class SmallDevice : public FakeDevice {
+ public:
+  SmallDevice() {
+    caps_.maxTextureSize = 1024;
+    caps_.maxCubeMapSize = 256;
+  }
+};
 
 class TexturesTest : public testing::Test {
  protected:
@@ -98,7 +107,7 @@ class TexturesTest : public testing::Test {
 
   static constexpr GLfloat kPositions[6] = {0, 0, 1, 0, 0, 1};
 
-  FakeDevice device;
+  SmallDevice device;
   ContextPtr context = gl::createContext(device, nullptr, {});
   std::shared_ptr<FakeImage> color;
 };

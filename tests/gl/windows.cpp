@@ -1,5 +1,5 @@
 // The framebuffer of name 0 where it is a window's: followed from picture to picture.
-#include "tests/gl/fake_renderer.h"
+#include "tests/gl/gl_fixture.h"
 
 namespace anteroom::gl::test {
 
@@ -36,16 +36,16 @@ class FakeWindow : public render::Window {
   FakeDevice& device_;
 };
 
-class WindowTest : public GlTest {
+class Windows : public GlTest {
  protected:
-  WindowTest() : window(device) {
+  Windows() : window(device) {
     window.makeReady();
     setDefaultFramebuffer(*context, &window.framebuffer());
     window.expire();
     glEnableClientState(GL_VERTEX_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, kVertices);
   }
-  ~WindowTest() override { setDefaultFramebuffer(*context, nullptr); }
+  ~Windows() override { setDefaultFramebuffer(*context, nullptr); }
   void draw() { glDrawArrays(GL_TRIANGLES, 0, 3); }
 
   static constexpr GLfloat kVertices[9] = {};
@@ -54,7 +54,7 @@ class WindowTest : public GlTest {
 
 }  // namespace
 
-TEST_F(WindowTest, APictureBeginsWithWhatIsDrawnFirst) {
+TEST_F(Windows, APictureBeginsWithWhatIsDrawnFirst) {
   glClearColor(1, 0, 0, 1);
   glFlush();
   EXPECT_EQ(window.begun, 1);
@@ -66,13 +66,13 @@ TEST_F(WindowTest, APictureBeginsWithWhatIsDrawnFirst) {
   EXPECT_EQ(window.begun, 3);
 }
 
-TEST_F(WindowTest, APictureBeginsWithAReadToo) {
+TEST_F(Windows, APictureBeginsWithAReadToo) {
   GLubyte pixel[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
   EXPECT_EQ(window.begun, 2);
 }
 
-TEST_F(WindowTest, ImagesOfAnotherSizeAreFollowed) {
+TEST_F(Windows, ImagesOfAnotherSizeAreFollowed) {
   draw();
   window.expire();
   draw();
@@ -85,7 +85,7 @@ TEST_F(WindowTest, ImagesOfAnotherSizeAreFollowed) {
   EXPECT_TRUE(renderer().draws.back().changed & gen::kGroupFramebuffer);
 }
 
-TEST_F(WindowTest, WithoutMemoryForAPictureThereIsAnError) {
+TEST_F(Windows, WithoutMemoryForAPictureThereIsAnError) {
   window.outOfMemory = true;
   draw();
   EXPECT_EQ(glGetError(), GLenum{GL_OUT_OF_MEMORY});

@@ -1,4 +1,4 @@
-#include "image_renderer.h"
+#include "tests/fake_renderer/fake_renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -53,6 +53,7 @@ class FakeBuffer : public render::Buffer {
 };
 
 void expectInside(FakeImage& image, const render::Region& r) {
+  ASSERT_GT(image.bytes(), 0u);
   ASSERT_GE(r.level, 0);
   ASSERT_LT(r.level, image.desc().levels);
   ASSERT_GE(r.layer, 0);
@@ -128,26 +129,29 @@ void encodeTexel(Format format, const Texel& value, uint8_t* t) {
   std::memcpy(t, &packed, 2);
 }
 
-FakeImage::FakeImage(const render::ImageDesc& desc) : Image(desc) {
-  for (int level = 0; level < desc.levels; ++level) {
-    const size_t size = static_cast<size_t>(width(level)) * static_cast<size_t>(height(level)) * bytes();
-    for (int layer = 0; layer < layers(); ++layer) texels_.emplace_back(size, uint8_t{0xcd});
-  }
+FakeImage::FakeImage(const render::ImageDesc& desc)
+    : Image(desc), texels_(static_cast<size_t>(desc.levels * layers())) {}
+
+uint8_t* FakeImage::at(int level, int layer, int x, int y) {
+  const auto pitch = static_cast<size_t>(width(level)) * bytes();
+  std::vector<uint8_t>& texels = texels_[static_cast<size_t>(level * layers() + layer)];
+  if (texels.empty()) texels.assign(pitch * static_cast<size_t>(height(level)), uint8_t{0xcd});
+  return &texels[static_cast<size_t>(y) * pitch + static_cast<size_t>(x) * bytes()];
 }
 
-FakeDevice::FakeDevice() {
-  caps_.maxTextureSize = 1024;
-  caps_.maxCubeMapSize = 256;
+FakeDevice::FakeDevice(FakeLog& shared) : log(shared) {
+  caps_.deviceName = "a fake";
+  caps_.pointSizeRange[1] = 64;
+  caps_.smoothPointSizeRange[1] = 32;
 }
 
 std::shared_ptr<render::Image> FakeDevice::createImage(const render::ImageDesc& desc) {
-  EXPECT_TRUE(desc.width > 0 && desc.height > 0 && desc.depth == 1 && desc.levels > 0 && desc.samples == 1);
+  EXPECT_TRUE(desc.width > 0 && desc.height > 0 && desc.depth > 0 && desc.levels > 0 && desc.samples > 0);
   EXPECT_LE(desc.levels, static_cast<int>(std::log2(std::max(desc.width, desc.height))) + 1);
-  EXPECT_GT(render::info(desc.format).bytes, 0);
   if (log.fails()) return nullptr;
   ++log.images;
   ++log.liveImages;
-  return {new FakeImage(desc), [this](FakeImage* image) {
+  return {new FakeImage(desc), [&log = log](FakeImage* image) {
             --log.liveImages;
             delete image;
           }};
@@ -160,8 +164,9 @@ std::shared_ptr<render::Buffer> FakeDevice::createBuffer(size_t size, const void
   return std::make_shared<FakeBuffer>(size, data, log);
 }
 
-bool FakeContext::draw(const render::State& state, gen::Groups, const render::DrawCall&) {
+bool FakeContext::draw(const render::State& state, gen::Groups changed, const render::DrawCall& call) {
   ++log_.draws;
+  draws.push_back({call, changed, state.fixed.primitive});
   units = state.fixed.units;
   textures = state.textures;
   for (size_t i = 0; i < units.size(); ++i) {
@@ -174,7 +179,8 @@ bool FakeContext::draw(const render::State& state, gen::Groups, const render::Dr
   return !log_.fails();
 }
 
-bool FakeContext::clear(const render::State&, gen::Groups, GLbitfield) {
+bool FakeContext::clear(const render::State&, gen::Groups, GLbitfield mask) {
+  clears.push_back(mask);
   return true;
 }
 
