@@ -122,7 +122,7 @@ render::DrawCall call(GLenum mode, int count, GLenum indexType = 0) {
   return made;
 }
 
-TEST(Batch, AcceptsWhatDiffersInItsVerticesOnly) {
+TEST(GeometryBatch, AcceptsWhatDiffersInItsVerticesOnly) {
   vulkan::Batch batch(true);
   gen::Blocks read;
   read.pushGroups = gen::kGroupModelview;
@@ -138,7 +138,7 @@ TEST(Batch, AcceptsWhatDiffersInItsVerticesOnly) {
   EXPECT_FALSE(batch.accepts(call(GL_TRIANGLES, 6), 0, read, 1 << 16)) << "it is full";
 }
 
-TEST(Batch, CarriesValuesOnceTheyChangedOften) {
+TEST(GeometryBatch, CarriesValuesOnceTheyChangedOften) {
   vulkan::Batch batch(true);
   render::State state;
   gen::Blocks read;
@@ -160,7 +160,7 @@ TEST(Batch, CarriesValuesOnceTheyChangedOften) {
   EXPECT_EQ(draws, 64);
 }
 
-TEST(Batch, CarriesNothingThatTheDeviceCannotTake) {
+TEST(GeometryBatch, CarriesNothingThatTheDeviceCannotTake) {
   vulkan::Batch batch(false);
   for (int i = 0; i < 100; ++i)
     EXPECT_EQ(batch.chooseCarried({}, call(GL_TRIANGLE_STRIP, 4), gen::kGroupModelview, {}), 0u);

@@ -11,7 +11,7 @@ namespace {
 constexpr uint8_t kAll = 15;  // components
 constexpr Pixel kRed{255, 0, 0, 255}, kGreen{0, 255, 0, 255}, kClear{0, 0, 0, 0};
 
-class Recording : public Part {
+class RecorderAlone : public Part {
  protected:
   void SetUp() override { ASSERT_TRUE(recorder_.initialise()); }
 
@@ -80,7 +80,7 @@ class Recording : public Part {
   vulkan::VertexArrays arrays_;
 };
 
-TEST_P(Recording, QuadsCoverTheirScissor) {
+TEST_P(RecorderAlone, QuadsCoverTheirScissor) {
   Picture picture(device());
   vulkan::Quad quad = flat(picture, 1, 0);
   quad.state.scissor = {{2, 0}, {6, 8}};
@@ -89,7 +89,7 @@ TEST_P(Recording, QuadsCoverTheirScissor) {
   EXPECT_EQ(at(picture, 2, 4), kRed);
 }
 
-TEST_P(Recording, DrawsWhatIsBound) {
+TEST_P(RecorderAlone, DrawsWhatIsBound) {
   Picture picture(device());
   const vulkan::DrawPlan plan = redPlan(picture);
   const vulkan::Geometry geometry = halves();
@@ -100,7 +100,7 @@ TEST_P(Recording, DrawsWhatIsBound) {
 }
 
 // A quad binds other things: a draw after it must bind its own again.
-TEST_P(Recording, QuadsBetweenDrawsDisturbNothing) {
+TEST_P(RecorderAlone, QuadsBetweenDrawsDisturbNothing) {
   Picture picture(device());
   const vulkan::DrawPlan plan = redPlan(picture);
   vulkan::Geometry geometry = halves();
@@ -115,7 +115,7 @@ TEST_P(Recording, QuadsBetweenDrawsDisturbNothing) {
   EXPECT_EQ(recorder_.passes(), 1u);
 }
 
-TEST_P(Recording, WhatIsHeldBackGrowsAndComesFirst) {
+TEST_P(RecorderAlone, WhatIsHeldBackGrowsAndComesFirst) {
   Picture picture(device());
   const vulkan::DrawPlan plan = redPlan(picture);
   const vulkan::Geometry geometry = halves();
@@ -132,7 +132,7 @@ TEST_P(Recording, WhatIsHeldBackGrowsAndComesFirst) {
   EXPECT_EQ(at(picture, 6, 6), kRed);
 }
 
-TEST_P(Recording, PassesEndWhenSomethingElseMustHappen) {
+TEST_P(RecorderAlone, PassesEndWhenSomethingElseMustHappen) {
   Picture picture(device()), other(device());
   ASSERT_TRUE(recorder_.openPass(picture.target(), false));
   ASSERT_TRUE(recorder_.openPass(picture.target(), false));
@@ -153,7 +153,7 @@ TEST_P(Recording, PassesEndWhenSomethingElseMustHappen) {
   EXPECT_EQ(recorder_.passes(), 2u);
 }
 
-TEST_P(Recording, SubmissionsHoldWhatTheyUse) {
+TEST_P(RecorderAlone, SubmissionsHoldWhatTheyUse) {
   Picture picture(device());
   EXPECT_TRUE(recorder_.submit()) << "of nothing";
   EXPECT_EQ(recorder_.submits(), 0u);
@@ -168,7 +168,7 @@ TEST_P(Recording, SubmissionsHoldWhatTheyUse) {
   EXPECT_EQ(store.use_count(), 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, Recording, testing::Values(false, true), profileName);
+INSTANTIATE_TEST_SUITE_P(Profiles, RecorderAlone, testing::Values(false, true), profileName);
 
 }  // namespace
 }  // namespace anteroom::test
