@@ -12,6 +12,13 @@ Command command(const char* name) {
   return reinterpret_cast<Command>(eglGetProcAddress(name));
 }
 
+// The same into a pointer that has the type.
+template <class Command>
+void load(Command& to, const char* name) {
+  to = command<Command>(name);
+  ASSERT_NE(to, nullptr) << name;
+}
+
 }  // namespace conformance
 
 // A local function pointer `name` for the command of that name; `type` is its PFN type of glext.h.

@@ -28,12 +28,6 @@ struct Commands {
   PFNGLRENDERBUFFERSTORAGEOESPROC RenderbufferStorageOES = nullptr;
 } gl;
 
-template <class Command>
-void load(Command& to, const char* name) {
-  to = command<Command>(name);
-  ASSERT_NE(to, nullptr) << name;
-}
-
 void loadCommands() {
   load(gl.BindFramebufferOES, "glBindFramebufferOES");
   load(gl.BindRenderbufferOES, "glBindRenderbufferOES");
