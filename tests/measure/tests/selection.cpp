@@ -18,8 +18,8 @@ TEST_P(Selection, OfNothingIsAnError) {
 INSTANTIATE_TEST_SUITE_P(, Selection,
                          testing::Values("anteroom-bench", "anteroom-compare", "rooms bench",
                                          "anteroom-cache-speed"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
                            for (char& c : name)
                              if (c == '-' || c == ' ') c = '_';
                            return name;
