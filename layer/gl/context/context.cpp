@@ -127,16 +127,14 @@ void Context::readyWindows() {
 void Context::hear() {
   const gen::Groups groups = std::exchange(told, 0);
   if (groups & gen::kGroupArrays) syncArrays(*this);
-  mark(boundFramebuffer ? groups : groups & ~gen::kGroupFramebuffer);
+  if (groups & gen::kGroupFramebuffer && boundFramebuffer) updateFramebuffer(*this);
+  mark(groups & ~gen::kGroupFramebuffer);
 }
 
 bool Context::framebufferComplete() {
   if (told) hear();
-  if (boundFramebuffer) {
-    if (changed & gen::kGroupFramebuffer) updateFramebuffer(*this);
-  } else if (hasWindowToReady()) [[unlikely]] {
+  if (!boundFramebuffer && hasWindowToReady()) [[unlikely]]
     readyWindows();
-  }
   return hasFramebuffer;
 }
 

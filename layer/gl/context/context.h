@@ -200,9 +200,11 @@ class Context {
 
   render::State state;
   // The groups of `state` in which it may differ from what the renderer drew last: the one account of it.
-  // What the state shows of textures and framebuffer objects is looked up anew while their groups are marked.
+  // What the state shows of textures is looked up by the next draw while their group is marked.
   gen::Groups changed = gen::kAllGroups;
-  gen::Groups told = 0;            // by contexts of the group, to be marked. Under the ShareLock
+  // What the state shows of these groups is looked up anew before it is used: contexts of the group, this one
+  // too, changed objects. Under the ShareLock.
+  gen::Groups told = 0;
   Context* nextOfGroup = nullptr;  // under the ShareLock
   GLenum error = GL_NO_ERROR;
   render::Device& device;

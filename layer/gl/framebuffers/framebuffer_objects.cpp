@@ -205,7 +205,7 @@ void attachmentsChanged(Context& c) {
 void bindDraw(Context& c, std::shared_ptr<FramebufferObject> object) {
   if (c.boundFramebuffer == object) return;
   c.boundFramebuffer = std::move(object);
-  c.mark(gen::kGroupFramebuffer);
+  c.told |= gen::kGroupFramebuffer;
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
 }
 
