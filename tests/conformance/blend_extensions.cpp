@@ -163,6 +163,32 @@ TEST_F(BlendExtensions, SeparateFactors) {
   EXPECT_GL_ERROR(GL_NO_ERROR);
 }
 
+// OES_blend_func_separate replaces the text of 4.1.7 for BlendFunc, too: the same factors are taken.
+TEST_F(BlendExtensions, FactorsOfBothForColorAndAlpha) {
+  MESA_DISAGREES("OES_blend_func_separate", "SRC_COLOR and DST_COLOR stay legal on one side only");
+  NEEDS_EXTENSION("GL_OES_blend_func_separate");
+  Cells cells;
+  const auto row = [&](GLenum source, GLenum destination) {
+    Vec4 expected{};
+    for (std::size_t i = 0; i < 4; ++i) expected[i] = blended(GL_FUNC_ADD_OES, source, destination, i);
+    cells.add(
+        fmt::format("{:#x} {:#x}", source, destination), clamp01(expected),
+        [&] {
+          glBlendFunc(source, destination);
+          drawBlended();
+        },
+        std::max(kOneStep, driverError("blending")));
+  };
+  for (const GLenum destination : kDestinationFactors) {
+    for (const GLenum source : kDestinationFactors) row(source, destination);
+    row(GL_SRC_ALPHA_SATURATE, destination);
+  }
+  cells.check();
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+  glBlendFunc(GL_ONE, GL_SRC_ALPHA_SATURATE);
+  EXPECT_GL_ERROR(GL_INVALID_ENUM);
+}
+
 TEST_F(BlendExtensions, StateAndErrors) {
   NEEDS_EXTENSION("GL_OES_blend_func_separate");
   NEEDS_EXTENSION("GL_OES_blend_equation_separate");

@@ -55,7 +55,8 @@ TEST_F(QueryConversions, RoundingMatrixToInteger) {
   EXPECT_EQ(matrix[14], 0);
 }
 
-// 6.1.2: colours, normals, DepthRange and the depth clear value map [-1, 1] linearly onto the integers.
+// 6.1.2: colours, normals, DepthRange and the depth clear value map [-1, 1] linearly onto the integers; 4.1.4:
+// the reference value of the alpha test is converted like an A component.
 TEST_F(QueryConversions, LinearMappingToInteger) {
   const double most = std::numeric_limits<GLint>::max();
   glColor4f(1, 0, -1, 0.5f);
@@ -75,6 +76,10 @@ TEST_F(QueryConversions, LinearMappingToInteger) {
   EXPECT_NEAR(range[1], most, 128);
   glClearDepthf(0.5f);
   EXPECT_NEAR(integer(GL_DEPTH_CLEAR_VALUE), most / 2, 128);
+  for (const GLfloat reference : {0.0f, 0.25f, 0.5f, 1.0f}) {
+    glAlphaFunc(GL_GREATER, reference);
+    EXPECT_NEAR(integer(GL_ALPHA_TEST_REF), reference * most, 128);
+  }
   const GLfloat fog[] = {1, 0.5f, 0.25f, 0};
   glFogfv(GL_FOG_COLOR, fog);
   const std::vector<GLint> fogColor = integers(GL_FOG_COLOR, 4);

@@ -229,13 +229,6 @@ TEST_F(Queries, NormalisedValuesFillTheRangeOfInt) {
   for (GLenum name : {GL_FOG_COLOR, GL_DEPTH_RANGE}) EXPECT_EQ(integer(name), 0);
 }
 
-// Section 6.1.2 names what is mapped to the whole range, and the alpha reference is not among it.
-TEST_F(Queries, AlphaReferenceIsRounded) {
-  EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 0);
-  glAlphaFunc(GL_LESS, 0.75f);
-  EXPECT_EQ(integer(GL_ALPHA_TEST_REF), 1);
-}
-
 TEST_F(Queries, EnvironmentOfTable615) {
   EXPECT_EQ(environment(GL_TEXTURE_ENV_MODE), GL_MODULATE);
   EXPECT_EQ(environment(GL_COMBINE_RGB), GL_MODULATE);

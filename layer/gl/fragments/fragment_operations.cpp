@@ -19,24 +19,13 @@ bool isStencilOp(GLenum op) {
          op == GL_INVERT || op == GL_INCR_WRAP_OES || op == GL_DECR_WRAP_OES;
 }
 
-// Table 4.1: some factors are of one side only.
-bool isCommonFactor(GLenum factor) {
-  return factor == GL_ZERO || factor == GL_ONE ||
-         (factor >= GL_SRC_ALPHA && factor <= GL_ONE_MINUS_DST_ALPHA);
-}
-bool isSourceFactor(GLenum factor) {
-  return isCommonFactor(factor) || (factor >= GL_DST_COLOR && factor <= GL_SRC_ALPHA_SATURATE);
-}
+// OES_blend_func_separate, whose table 4.blendfunc stands in place of tables 4.1 and 4.2 for glBlendFunc, too.
 bool isDestinationFactor(GLenum factor) {
-  return isCommonFactor(factor) || factor == GL_SRC_COLOR || factor == GL_ONE_MINUS_SRC_COLOR;
-}
-// OES_blend_func_separate, table 4.blendfunc.
-bool isSeparateDestinationFactor(GLenum factor) {
   return factor == GL_ZERO || factor == GL_ONE ||
          (factor >= GL_SRC_COLOR && factor <= GL_ONE_MINUS_DST_COLOR);
 }
-bool isSeparateSourceFactor(GLenum factor) {
-  return isSeparateDestinationFactor(factor) || factor == GL_SRC_ALPHA_SATURATE;
+bool isSourceFactor(GLenum factor) {
+  return isDestinationFactor(factor) || factor == GL_SRC_ALPHA_SATURATE;
 }
 
 // OES_blend_subtract and EXT_blend_minmax.
@@ -54,7 +43,12 @@ void setBlendFunc(Context& c, GLenum srcRgb, GLenum dstRgb, GLenum srcAlpha, GLe
 }
 
 constexpr const char* kCompareFuncs = "Use NEVER, LESS, EQUAL, LEQUAL, GREATER, NOTEQUAL, GEQUAL or ALWAYS";
-constexpr const char* kFactors = "Use a factor of tables 4.1 and 4.2, such as ONE or SRC_ALPHA";
+constexpr const char* kDestinationFactors =
+    "Use ZERO, ONE, SRC_COLOR, ONE_MINUS_SRC_COLOR, DST_COLOR, ONE_MINUS_DST_COLOR, SRC_ALPHA, "
+    "ONE_MINUS_SRC_ALPHA, DST_ALPHA or ONE_MINUS_DST_ALPHA";
+constexpr const char* kSourceFactors =
+    "Use ZERO, ONE, SRC_COLOR, ONE_MINUS_SRC_COLOR, DST_COLOR, ONE_MINUS_DST_COLOR, SRC_ALPHA, "
+    "ONE_MINUS_SRC_ALPHA, DST_ALPHA, ONE_MINUS_DST_ALPHA or SRC_ALPHA_SATURATE";
 constexpr const char* kEquations =
     "Use FUNC_ADD_OES, FUNC_SUBTRACT_OES, FUNC_REVERSE_SUBTRACT_OES, MIN_EXT or MAX_EXT";
 
@@ -153,9 +147,10 @@ GL_API void GL_APIENTRY glDepthFunc(GLenum func) {
 GL_API void GL_APIENTRY glBlendFunc(GLenum source, GLenum destination) {
   Context* c = current();
   if (!c) return;
-  if (!isSourceFactor(source)) return c->setError(GL_INVALID_ENUM, wrongEnum("sfactor", source, kFactors));
+  if (!isSourceFactor(source))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("sfactor", source, kSourceFactors));
   if (!isDestinationFactor(destination))
-    return c->setError(GL_INVALID_ENUM, wrongEnum("dfactor", destination, kFactors));
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dfactor", destination, kDestinationFactors));
   setBlendFunc(*c, source, destination, source, destination);
 }
 
@@ -163,14 +158,14 @@ GL_API void GL_APIENTRY glBlendFuncSeparateOES(GLenum srcRGB, GLenum dstRGB, GLe
                                                GLenum dstAlpha) {
   Context* c = current();
   if (!c) return;
-  if (!isSeparateSourceFactor(srcRGB))
-    return c->setError(GL_INVALID_ENUM, wrongEnum("srcRGB", srcRGB, kFactors));
-  if (!isSeparateDestinationFactor(dstRGB))
-    return c->setError(GL_INVALID_ENUM, wrongEnum("dstRGB", dstRGB, kFactors));
-  if (!isSeparateSourceFactor(srcAlpha))
-    return c->setError(GL_INVALID_ENUM, wrongEnum("srcAlpha", srcAlpha, kFactors));
-  if (!isSeparateDestinationFactor(dstAlpha))
-    return c->setError(GL_INVALID_ENUM, wrongEnum("dstAlpha", dstAlpha, kFactors));
+  if (!isSourceFactor(srcRGB))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("srcRGB", srcRGB, kSourceFactors));
+  if (!isDestinationFactor(dstRGB))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dstRGB", dstRGB, kDestinationFactors));
+  if (!isSourceFactor(srcAlpha))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("srcAlpha", srcAlpha, kSourceFactors));
+  if (!isDestinationFactor(dstAlpha))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("dstAlpha", dstAlpha, kDestinationFactors));
   setBlendFunc(*c, srcRGB, dstRGB, srcAlpha, dstAlpha);
 }
 
@@ -192,8 +187,11 @@ GL_API void GL_APIENTRY glLogicOp(GLenum op) {
   Context* c = current();
   if (!c) return;
   if (op < GL_CLEAR || op > GL_SET)
-    return c->setError(GL_INVALID_ENUM,
-                       wrongEnum("opcode", op, "Use a name of table 4.3, such as COPY or XOR"));
+    return c->setError(
+        GL_INVALID_ENUM,
+        wrongEnum("opcode", op,
+                  "Use CLEAR, AND, AND_REVERSE, COPY, AND_INVERTED, NOOP, XOR, OR, NOR, EQUIV, INVERT, "
+                  "OR_REVERSE, COPY_INVERTED, OR_INVERTED, NAND or SET"));
   c->set(c->state.ops.logicOp, op, kOps);
 }
 

@@ -190,7 +190,7 @@ constexpr auto kQueries = tableOf<Query<Context>>({
     // are what counts.
     {GL_SCISSOR_BOX, Integer, [](Context& c) { return cornerAndSize(c.state.scissor); }},
     {GL_ALPHA_TEST_FUNC, Enum, [](Context& c) { return c.state.fixed.alphaFunc; }},
-    {GL_ALPHA_TEST_REF, Number, [](Context& c) { return c.state.fixed.alphaRef; }},
+    {GL_ALPHA_TEST_REF, Normalised, [](Context& c) { return c.state.fixed.alphaRef; }},
     {GL_STENCIL_FUNC, Enum, [](Context& c) { return c.state.ops.stencilFunc; }},
     {GL_STENCIL_VALUE_MASK, Integer, [](Context& c) { return static_cast<GLint>(c.state.ops.stencilValueMask); }},
     {GL_STENCIL_REF, Integer, [](Context& c) { return c.state.ops.stencilRef; }},
