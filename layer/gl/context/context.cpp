@@ -39,6 +39,7 @@ GLint normalisedToInt(double value) {
 }
 
 void Results::putOne(Kind kind, double value) {
+  if (!out_) return;
   const int i = count_++;
   switch (form_) {
     case Form::Boolean:

@@ -41,6 +41,7 @@ class Params {
 
   // Whether the command may set something that has several values.
   bool vector() const { return vector_; }
+  // There is nothing to read: the command does nothing, once its enumerants are known to be right (section 2.5).
   bool null() const { return values_ == nullptr; }
 
   float number(int i = 0) const {
@@ -76,7 +77,8 @@ class Params {
   bool vector_;
 };
 
-// Where a query puts what it found, in the type that the program asked for. Conversions of section 6.1.2.
+// Where a query puts what it found, in the type that the program asked for. Conversions of section 6.1.2. NULL
+// takes nothing.
 class Results {
  public:
   enum class Form : uint8_t { Boolean, Integer, Integer64, Fixed, Float };
@@ -89,8 +91,6 @@ class Results {
   };
 
   Results(void* out, Form form) : out_(out), form_(form) {}
-
-  bool null() const { return out_ == nullptr; }
 
   // A value; or those of a vector, of a matrix column by column, or of a list.
   template <class T>

@@ -6,9 +6,14 @@ namespace gen = anteroom::gen;
 
 namespace {
 
+constexpr const char* kNames = "Use FOG_MODE, FOG_DENSITY, FOG_START, FOG_END or FOG_COLOR";
+
 void setFog(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c) return;
+  if (pname < GL_FOG_DENSITY || pname > GL_FOG_COLOR)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
+  if (params.null()) return;
   gen::Fog& fog = c->state.fixed.fog;
   switch (pname) {
     case GL_FOG_MODE: {
@@ -26,17 +31,13 @@ void setFog(GLenum pname, const Params& params, const char* command = __builtin_
       return c->set(fog.start, params.number(), gen::kGroupFog);
     case GL_FOG_END:
       return c->set(fog.end, params.number(), gen::kGroupFog);
-    case GL_FOG_COLOR:
+    default:  // GL_FOG_COLOR
       if (!params.vector())
         return c->setError(
             GL_INVALID_ENUM,
             wrongEnum("pname", pname, "FOG_COLOR has four values: use a command that takes a pointer"),
             command);
       return c->set(fog.color, clamp01(params.color()), gen::kGroupFog);
-    default:
-      return c->setError(
-          GL_INVALID_ENUM,
-          wrongEnum("pname", pname, "Use FOG_MODE, FOG_DENSITY, FOG_START, FOG_END or FOG_COLOR"), command);
   }
 }
 

@@ -6,39 +6,30 @@ namespace gen = anteroom::gen;
 
 namespace {
 
+constexpr const char* kPointNames =
+    "Use POINT_SIZE_MIN, POINT_SIZE_MAX, POINT_FADE_THRESHOLD_SIZE or POINT_DISTANCE_ATTENUATION";
+
 void setPointParameter(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c) return;
+  if (pname < GL_POINT_SIZE_MIN || pname > GL_POINT_DISTANCE_ATTENUATION)
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kPointNames), command);
+  if (params.null()) return;
   gen::Points& points = c->state.fixed.points;
-  float* field = nullptr;
-  switch (pname) {
-    case GL_POINT_SIZE_MIN:
-      field = &points.sizeMin;
-      break;
-    case GL_POINT_SIZE_MAX:
-      field = &points.sizeMax;
-      break;
-    case GL_POINT_FADE_THRESHOLD_SIZE:
-      field = &points.fadeThreshold;
-      break;
-    case GL_POINT_DISTANCE_ATTENUATION:
-      if (!params.vector())
-        return c->setError(
-            GL_INVALID_ENUM,
-            wrongEnum("pname", pname, "It has three values: use a command that takes a pointer"), command);
-      return c->set(points.distanceAttenuation, params.vec3(), gen::kGroupPoints);
-    default:
-      return c->setError(
-          GL_INVALID_ENUM,
-          wrongEnum(
-              "pname", pname,
-              "Use POINT_SIZE_MIN, POINT_SIZE_MAX, POINT_FADE_THRESHOLD_SIZE or POINT_DISTANCE_ATTENUATION"),
-          command);
+  if (pname == GL_POINT_DISTANCE_ATTENUATION) {
+    if (!params.vector())
+      return c->setError(GL_INVALID_ENUM,
+                         wrongEnum("pname", pname, "It has three values: use a command that takes a pointer"),
+                         command);
+    return c->set(points.distanceAttenuation, params.vec3(), gen::kGroupPoints);
   }
   if (!(params.number() >= 0))
     return c->setError(GL_INVALID_VALUE, wrongNumber("param", params.number(), "Give a size from 0 on"),
                        command);
-  c->set(*field, params.number(), gen::kGroupPoints);
+  float& field = pname == GL_POINT_SIZE_MIN   ? points.sizeMin
+                 : pname == GL_POINT_SIZE_MAX ? points.sizeMax
+                                              : points.fadeThreshold;
+  c->set(field, params.number(), gen::kGroupPoints);
 }
 
 }  // namespace

@@ -419,27 +419,30 @@ GL_API void GL_APIENTRY glGetFramebufferAttachmentParameterivOES(GLenum target, 
   if (!c) return;
   ShareLock lock(*c->group);
   const AttachmentPoint* point = attachmentPoint(*c, target, attachment);
-  if (!point || !params) return;
+  if (!point) return;
+  GLint value = 0;
   if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES) {
-    *params = point->texture ? GL_TEXTURE : point->renderbuffer ? GL_RENDERBUFFER_OES : GL_NONE_OES;
+    value = point->texture ? GL_TEXTURE : point->renderbuffer ? GL_RENDERBUFFER_OES : GL_NONE_OES;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING_EXT && !point->empty()) {
-    *params = anteroom::render::isSrgb(formatOf(*point)) ? GL_SRGB_EXT : GL_LINEAR;
+    value = anteroom::render::isSrgb(formatOf(*point)) ? GL_SRGB_EXT : GL_LINEAR;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME_OES && !point->empty()) {
-    *params = static_cast<GLint>(point->texture ? point->texture->name : point->renderbuffer->name);
+    value = static_cast<GLint>(point->texture ? point->texture->name : point->renderbuffer->name);
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL_OES && point->texture) {
-    *params = point->level;
+    value = point->level;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE_OES && point->texture) {
-    *params = point->texture->slot == kSlotCube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + point->face : 0;
+    value = point->texture->slot == kSlotCube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X_OES + point->face : 0;
   } else if (pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_3D_ZOFFSET_OES && point->texture) {
-    *params = point->slice;
+    value = point->slice;
   } else if ((pname == GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_SAMPLES_EXT || pname == GL_TEXTURE_SAMPLES_IMG) &&
              point->texture) {
-    *params = point->textureSamples;
+    value = point->textureSamples;
   } else {
-    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname,
-                                           "Ask for FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES first: what is "
-                                           "attached decides what else can be asked"));
+    return c->setError(GL_INVALID_ENUM,
+                       wrongEnum("pname", pname,
+                                 "Ask for FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE_OES first: what is "
+                                 "attached decides what else can be asked"));
   }
+  if (params) *params = value;
 }
 
 GL_API void GL_APIENTRY glGenerateMipmapOES(GLenum target) {

@@ -203,7 +203,6 @@ GL_API void GL_APIENTRY glGetRenderbufferParameterivOES(GLenum target, GLenum pn
   if (!renderbuffer)
     return c->setError(GL_INVALID_OPERATION,
                        wrongState("No renderbuffer is bound", "Bind one with glBindRenderbufferOES first"));
-  if (!params) return;
   Results results(params, Results::Form::Integer);
   if (!answer(kRenderbufferQueries, *renderbuffer, pname, results))
     c->setError(GL_INVALID_ENUM,

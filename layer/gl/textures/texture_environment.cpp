@@ -126,7 +126,10 @@ gen::TextureUnit& activeUnit(Context& c) {
 }
 
 constexpr const char* kEnvTargets = "Use TEXTURE_ENV, POINT_SPRITE_OES or TEXTURE_FILTER_CONTROL_EXT";
-constexpr const char* kEnvNames = "Use a name of table 3.14, such as TEXTURE_ENV_MODE or COMBINE_RGB";
+constexpr const char* kEnvNames =
+    "Use TEXTURE_ENV_MODE, TEXTURE_ENV_COLOR, COMBINE_RGB, COMBINE_ALPHA, SRC0_RGB to SRC2_RGB, SRC0_ALPHA "
+    "to "
+    "SRC2_ALPHA, OPERAND0_RGB to OPERAND2_RGB, OPERAND0_ALPHA to OPERAND2_ALPHA, RGB_SCALE or ALPHA_SCALE";
 
 void setScale(Context& c, float& field, float value, const char* command) {
   if (value != 1 && value != 2 && value != 4)
@@ -144,22 +147,45 @@ GLenum output(const Context& c, int8_t field) {
   return GL_TEXTURE0 + static_cast<GLenum>(field < 0 ? c.activeTexture : field);
 }
 
+using enum Results::Kind;
+
+// Table 6.15 but for its enums (enumOf), and ATIX_texture_env_route.
+constexpr auto kEnvQueries = tableOf<Query<Context>>({
+    {GL_TEXTURE_ENV_COLOR, Normalised, [](Context& c) { return activeUnit(c).env.color; }},
+    {GL_RGB_SCALE, Number, [](Context& c) { return activeUnit(c).env.rgbScale; }},
+    {GL_ALPHA_SCALE, Number, [](Context& c) { return activeUnit(c).env.alphaScale; }},
+    {gen::kTextureOutputRgb, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputRgb); }},
+    {gen::kTextureOutputAlpha, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputAlpha); }},
+});
+
+// Whether an environment has what is asked for or set; if not, the error is set.
+bool isEnvName(Context& c, GLenum target, GLenum pname, const char* command) {
+  const char* names = nullptr;
+  bool known = false;
+  if (target == GL_POINT_SPRITE_OES) {
+    known = pname == GL_COORD_REPLACE_OES;
+    names = "Use COORD_REPLACE_OES";
+  } else if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
+    known = pname == GL_TEXTURE_LOD_BIAS_EXT;
+    names = "Use TEXTURE_LOD_BIAS_EXT";
+  } else if (target == GL_TEXTURE_ENV) {
+    known = enumOf(activeUnit(c).env, pname) || kEnvQueries.find(pname);
+    names = kEnvNames;
+  } else {
+    c.setError(GL_INVALID_ENUM, wrongEnum("target", target, kEnvTargets), command);
+    return false;
+  }
+  if (!known) c.setError(GL_INVALID_ENUM, wrongEnum("pname", pname, names), command);
+  return known;
+}
+
 void setEnv(GLenum target, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c || !isEnvName(*c, target, pname, command) || params.null()) return;
   gen::TextureEnv& env = activeUnit(*c).env;
-  if (target == GL_POINT_SPRITE_OES) {
-    if (pname != GL_COORD_REPLACE_OES)
-      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use COORD_REPLACE_OES"), command);
+  if (target == GL_POINT_SPRITE_OES)
     return c->set(env.coordReplace, params.boolean(), kTextures | gen::kGroupPoints);
-  }
-  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) {
-    if (pname != GL_TEXTURE_LOD_BIAS_EXT)
-      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, "Use TEXTURE_LOD_BIAS_EXT"), command);
-    return c->set(env.lodBias, params.number(), kTextures);
-  }
-  if (target != GL_TEXTURE_ENV)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kEnvTargets), command);
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) return c->set(env.lodBias, params.number(), kTextures);
   switch (pname) {
     case GL_TEXTURE_ENV_COLOR:
       if (!params.vector())
@@ -178,39 +204,21 @@ void setEnv(GLenum target, GLenum pname, const Params& params, const char* comma
     default:
       break;
   }
-  GLenum* field = enumOf(env, pname);
-  if (!field) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
   if (!isLegal(pname, params.enumerant()))
     return c->setError(
         GL_INVALID_ENUM,
         wrongEnum("param", params.enumerant(), "Use a value of table 3.14 that goes with pname"), command);
-  c->set(*field, params.enumerant(), kTextures);
+  c->set(*enumOf(env, pname), params.enumerant(), kTextures);
 }
-
-using enum Results::Kind;
-
-// Table 6.15 but for its enums (enumOf), and ATIX_texture_env_route.
-constexpr auto kEnvQueries = tableOf<Query<Context>>({
-    {GL_TEXTURE_ENV_COLOR, Normalised, [](Context& c) { return activeUnit(c).env.color; }},
-    {GL_RGB_SCALE, Number, [](Context& c) { return activeUnit(c).env.rgbScale; }},
-    {GL_ALPHA_SCALE, Number, [](Context& c) { return activeUnit(c).env.alphaScale; }},
-    {gen::kTextureOutputRgb, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputRgb); }},
-    {gen::kTextureOutputAlpha, Enum, [](Context& c) { return output(c, activeUnit(c).env.outputAlpha); }},
-});
 
 void getEnv(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || results.null()) return;
+  if (!c || !isEnvName(*c, target, pname, command)) return;
   gen::TextureEnv& env = activeUnit(*c).env;
-  if (target == GL_POINT_SPRITE_OES && pname == GL_COORD_REPLACE_OES)
-    return results.put(Boolean, env.coordReplace);
-  if (target == GL_TEXTURE_FILTER_CONTROL_EXT && pname == GL_TEXTURE_LOD_BIAS_EXT)
-    return results.put(Number, env.lodBias);
-  if (target != GL_TEXTURE_ENV)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("target", target, kEnvTargets), command);
+  if (target == GL_POINT_SPRITE_OES) return results.put(Boolean, env.coordReplace);
+  if (target == GL_TEXTURE_FILTER_CONTROL_EXT) return results.put(Number, env.lodBias);
   if (const GLenum* field = enumOf(env, pname)) return results.put(Enum, *field);
-  if (!answer(kEnvQueries, *c, pname, results))
-    c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kEnvNames), command);
+  answer(kEnvQueries, *c, pname, results);
 }
 
 Fault wrongTexGen(GLenum coord, GLenum pname) {
@@ -221,9 +229,10 @@ Fault wrongTexGen(GLenum coord, GLenum pname) {
 
 void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
     return c->setError(GL_INVALID_ENUM, wrongTexGen(coord, pname), command);
+  if (params.null()) return;
   const GLenum mode = params.enumerant();
   if (mode != GL_NORMAL_MAP_OES && mode != GL_REFLECTION_MAP_OES)
     return c->setError(GL_INVALID_ENUM, wrongEnum("param", mode, "Use NORMAL_MAP_OES or REFLECTION_MAP_OES"),
@@ -233,7 +242,7 @@ void setTexGen(GLenum coord, GLenum pname, const Params& params, const char* com
 
 void getTexGen(GLenum coord, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || results.null()) return;
+  if (!c) return;
   if (coord != GL_TEXTURE_GEN_STR_OES || pname != GL_TEXTURE_GEN_MODE_OES)
     return c->setError(GL_INVALID_ENUM, wrongTexGen(coord, pname), command);
   results.put(Enum, activeUnit(*c).texGenMode);

@@ -25,7 +25,34 @@ bool isWrapMode(TextureSlot slot, GLenum value) {
 }
 
 constexpr const char* kLegalValues = "Use a value of table 3.10 that goes with pname and target";
-constexpr const char* kNames = "Use a name of table 3.10, such as TEXTURE_MIN_FILTER";
+constexpr const char* kNames =
+    "Use TEXTURE_MIN_FILTER, TEXTURE_MAG_FILTER, TEXTURE_WRAP_S, TEXTURE_WRAP_T, TEXTURE_WRAP_R_OES, "
+    "GENERATE_MIPMAP, TEXTURE_MAX_ANISOTROPY_EXT, TEXTURE_MAX_LEVEL_APPLE, or TEXTURE_CROP_RECT_OES with a "
+    "command that takes a pointer";
+
+using enum Results::Kind;
+
+// Table 6.14, OES_draw_texture, OES_texture_3D, OES_EGL_image_external, EXT_texture_filter_anisotropic,
+// EXT_texture_storage, APPLE_texture_max_level. Booleans are not scaled in fixed point, like the values that
+// set them.
+constexpr auto kTextureQueries = tableOf<Query<Texture>>({
+    {GL_TEXTURE_MIN_FILTER, Enum, [](Texture& t) { return t.sampler.minFilter; }},
+    {GL_TEXTURE_MAG_FILTER, Enum, [](Texture& t) { return t.sampler.magFilter; }},
+    {GL_TEXTURE_WRAP_S, Enum, [](Texture& t) { return t.sampler.wrapS; }},
+    {GL_TEXTURE_WRAP_T, Enum, [](Texture& t) { return t.sampler.wrapT; }},
+    {GL_GENERATE_MIPMAP, Enum, [](Texture& t) { return t.generateMipmap; }},
+    {GL_TEXTURE_CROP_RECT_OES, Integer, [](Texture& t) { return t.cropRect; }},
+    {GL_TEXTURE_WRAP_R_OES, Enum, [](Texture& t) { return t.sampler.wrapR; }},
+    {GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, Integer, [](Texture&) { return 1; }},
+    {GL_TEXTURE_MAX_ANISOTROPY_EXT, Number, [](Texture& t) { return t.sampler.maxAnisotropy; }},
+    {GL_TEXTURE_IMMUTABLE_FORMAT_EXT, Enum, [](Texture& t) { return t.immutable(); }},
+    {GL_TEXTURE_MAX_LEVEL_APPLE, Integer, [](Texture& t) { return t.sampler.maxLevel; }},
+});
+
+// What can be asked for and not set.
+bool isReadOnly(GLenum pname) {
+  return pname == GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES || pname == GL_TEXTURE_IMMUTABLE_FORMAT_EXT;
+}
 
 template <class T>
 void assign(Context& c, Texture& texture, T& field, T value, bool legal, const char* command,
@@ -42,6 +69,8 @@ void setParameter(GLenum target, GLenum pname, const Params& params,
   if (!c) return;
   const TextureSlot slot = slotForCommand(*c, target, command);
   if (slot == kSlotCount) return;
+  if (!kTextureQueries.find(pname) || isReadOnly(pname))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
   if (params.null()) return;
   ShareLock lock(*c->group);
   Texture& texture = boundTexture(*c, slot);
@@ -71,41 +100,18 @@ void setParameter(GLenum target, GLenum pname, const Params& params,
       const int level = roundToInt(params.number());
       return assign(*c, texture, sampler.maxLevel, level, level >= 0, command, GL_INVALID_VALUE);
     }
-    case GL_TEXTURE_CROP_RECT_OES:
+    default:  // GL_TEXTURE_CROP_RECT_OES
       if (!params.vector()) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
       for (size_t i = 0; i < texture.cropRect.size(); ++i)
         texture.cropRect[i] = params.rounded(static_cast<int>(i));
-      return;
-    default:
-      c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);
   }
 }
-
-using enum Results::Kind;
-
-// Table 6.14, OES_draw_texture, OES_texture_3D, OES_EGL_image_external, EXT_texture_filter_anisotropic,
-// EXT_texture_storage, APPLE_texture_max_level. Booleans are not scaled in fixed point, like the values that
-// set them.
-constexpr auto kTextureQueries = tableOf<Query<Texture>>({
-    {GL_TEXTURE_MIN_FILTER, Enum, [](Texture& t) { return t.sampler.minFilter; }},
-    {GL_TEXTURE_MAG_FILTER, Enum, [](Texture& t) { return t.sampler.magFilter; }},
-    {GL_TEXTURE_WRAP_S, Enum, [](Texture& t) { return t.sampler.wrapS; }},
-    {GL_TEXTURE_WRAP_T, Enum, [](Texture& t) { return t.sampler.wrapT; }},
-    {GL_GENERATE_MIPMAP, Enum, [](Texture& t) { return t.generateMipmap; }},
-    {GL_TEXTURE_CROP_RECT_OES, Integer, [](Texture& t) { return t.cropRect; }},
-    {GL_TEXTURE_WRAP_R_OES, Enum, [](Texture& t) { return t.sampler.wrapR; }},
-    {GL_REQUIRED_TEXTURE_IMAGE_UNITS_OES, Integer, [](Texture&) { return 1; }},
-    {GL_TEXTURE_MAX_ANISOTROPY_EXT, Number, [](Texture& t) { return t.sampler.maxAnisotropy; }},
-    {GL_TEXTURE_IMMUTABLE_FORMAT_EXT, Enum, [](Texture& t) { return t.immutable(); }},
-    {GL_TEXTURE_MAX_LEVEL_APPLE, Integer, [](Texture& t) { return t.sampler.maxLevel; }},
-});
 
 void getParameter(GLenum target, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   const TextureSlot slot = slotForCommand(*c, target, command);
   if (slot == kSlotCount) return;
-  if (results.null()) return;
   ShareLock lock(*c->group);
   if (!answer(kTextureQueries, boundTexture(*c, slot), pname, results))
     c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kNames), command);

@@ -194,7 +194,7 @@ GL_API void GL_APIENTRY glGetBufferParameteriv(GLenum target, GLenum pname, GLin
         GL_INVALID_ENUM,
         wrongEnum("pname", pname, "Use BUFFER_SIZE, BUFFER_USAGE, BUFFER_ACCESS_OES or BUFFER_MAPPED_OES"));
   BufferObject* buffer = boundBuffer(*c, target);
-  if (!buffer || !params) return;
+  if (!buffer) return;
   Results results(params, Results::Form::Integer);
   answer(kBufferQueries, *buffer, pname, results);
 }

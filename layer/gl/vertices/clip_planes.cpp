@@ -19,12 +19,16 @@ Fault wrongPlane(GLenum name) {
 }
 
 // Multiplied by the inverse of the modelview matrix. A singular one leaves no plane: everything is inside.
-void setPlane(GLenum name, const glm::dvec4& equation, const char* command = __builtin_FUNCTION()) {
+template <class T>
+void setPlane(GLenum name, const T* equation, double (*number)(T),
+              const char* command = __builtin_FUNCTION()) {
   Context* c = current();
   if (!c) return;
   gen::ClipPlane* plane = planeOf(*c, name);
   if (!plane) return c->setError(GL_INVALID_ENUM, wrongPlane(name), command);
-  glm::dvec4 eye = equation * glm::inverse(c->state.fixed.modelview);
+  if (!equation) return;
+  const glm::dvec4 object(number(equation[0]), number(equation[1]), number(equation[2]), number(equation[3]));
+  glm::dvec4 eye = object * glm::inverse(c->state.fixed.modelview);
   for (int i = 0; i < 4; ++i) {
     if (!std::isfinite(eye[i])) eye = glm::dvec4(0.0);
   }
@@ -36,19 +40,17 @@ void getPlane(GLenum name, void* equation, Results::Form form, const char* comma
   if (!c) return;
   const gen::ClipPlane* plane = planeOf(*c, name);
   if (!plane) return c->setError(GL_INVALID_ENUM, wrongPlane(name), command);
-  if (equation) Results(equation, form).put(Results::Kind::Number, plane->equation);
+  Results(equation, form).put(Results::Kind::Number, plane->equation);
 }
 
 }  // namespace
 
 GL_API void GL_APIENTRY glClipPlanef(GLenum plane, const GLfloat* equation) {
-  if (equation) setPlane(plane, {equation[0], equation[1], equation[2], equation[3]});
+  setPlane<GLfloat>(plane, equation, [](GLfloat value) -> double { return value; });
 }
 
 GL_API void GL_APIENTRY glClipPlanex(GLenum plane, const GLfixed* equation) {
-  if (!equation) return;
-  setPlane(plane, {fixedToDouble(equation[0]), fixedToDouble(equation[1]), fixedToDouble(equation[2]),
-                   fixedToDouble(equation[3])});
+  setPlane<GLfixed>(plane, equation, fixedToDouble);
 }
 
 GL_API void GL_APIENTRY glGetClipPlanef(GLenum name, GLfloat* equation) {

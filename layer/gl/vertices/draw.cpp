@@ -72,13 +72,31 @@ void submitDraw(Context& c, const render::State& state, gen::Groups differs, con
   c.changed = differs;
 }
 
+namespace {
+
+// False: the error is set.
+bool isMode(Context& c, GLenum mode, const char* command = __builtin_FUNCTION()) {
+  if (mode <= GL_TRIANGLE_FAN) return true;
+  c.setError(GL_INVALID_ENUM,
+             wrongEnum("mode", mode,
+                       "Use POINTS, LINES, LINE_LOOP, LINE_STRIP, TRIANGLES, TRIANGLE_STRIP or TRIANGLE_FAN"),
+             command);
+  return false;
+}
+bool isIndexType(Context& c, GLenum type, const char* command = __builtin_FUNCTION()) {
+  if (type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT) return true;
+  c.setError(GL_INVALID_ENUM, wrongEnum("type", type, "Use UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT"),
+             command);
+  return false;
+}
+
+}  // namespace
 }  // namespace anteroom::gl
 
 GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
   Context* c = current();
   if (!c) return;
-  if (mode > GL_TRIANGLE_FAN)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use POINTS to TRIANGLE_FAN"));
+  if (!isMode(*c, mode)) return;
   if (first < 0)
     return c->setError(GL_INVALID_VALUE, wrongNumber("first", first, "Give a first element from 0 on"));
   if (count < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("count", count, "Give a count from 0 on"));
@@ -97,12 +115,7 @@ GL_API void GL_APIENTRY glDrawArrays(GLenum mode, GLint first, GLsizei count) {
 GL_API void GL_APIENTRY glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices) {
   Context* c = current();
   if (!c) return;
-  if (mode > GL_TRIANGLE_FAN)
-    return c->setError(GL_INVALID_ENUM, wrongEnum("mode", mode, "Use POINTS to TRIANGLE_FAN"));
-  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
-    return c->setError(GL_INVALID_ENUM,
-                       wrongEnum("type", type, "Use UNSIGNED_BYTE, UNSIGNED_SHORT or UNSIGNED_INT"));
-  }
+  if (!isMode(*c, mode) || !isIndexType(*c, type)) return;
   if (count < 0) return c->setError(GL_INVALID_VALUE, wrongNumber("count", count, "Give a count from 0 on"));
   ShareLock lock(*c->group);
   if (!c->framebufferComplete()) return c->setError(GL_INVALID_FRAMEBUFFER_OPERATION_OES);
@@ -133,7 +146,7 @@ GL_API void GL_APIENTRY glMultiDrawArraysEXT(GLenum mode, const GLint* first, co
   if (!c) return;
   if (primcount < 0)
     return c->setError(GL_INVALID_VALUE, wrongNumber("primcount", primcount, "Give a count from 0 on"));
-  if (!first || !count) return;
+  if (!isMode(*c, mode) || !first || !count) return;
   for (GLsizei i = 0; i < primcount; ++i) {
     if (count[i] > 0) glDrawArrays(mode, first[i], count[i]);
   }
@@ -145,7 +158,7 @@ GL_API void GL_APIENTRY glMultiDrawElementsEXT(GLenum mode, const GLsizei* count
   if (!c) return;
   if (primcount < 0)
     return c->setError(GL_INVALID_VALUE, wrongNumber("primcount", primcount, "Give a count from 0 on"));
-  if (!count || !indices) return;
+  if (!isMode(*c, mode) || !isIndexType(*c, type) || !count || !indices) return;
   for (GLsizei i = 0; i < primcount; ++i) {
     if (count[i] > 0) glDrawElements(mode, count[i], type, indices[i]);
   }

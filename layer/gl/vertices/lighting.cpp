@@ -17,9 +17,42 @@ gen::Light* lightOf(Context& c, GLenum light) {
 }
 
 constexpr const char* kLights = "Use LIGHT0 to LIGHT7";
-constexpr const char* kLightNames = "Use a name of table 2.8, such as AMBIENT, POSITION or SPOT_CUTOFF";
-constexpr const char* kMaterialNames = "Use a name of table 2.8, such as AMBIENT, SHININESS or EMISSION";
+constexpr const char* kLightNames =
+    "Use AMBIENT, DIFFUSE, SPECULAR, POSITION, SPOT_DIRECTION, SPOT_EXPONENT, SPOT_CUTOFF, "
+    "CONSTANT_ATTENUATION, LINEAR_ATTENUATION or QUADRATIC_ATTENUATION";
+constexpr const char* kMaterialNames =
+    "Use AMBIENT, DIFFUSE, SPECULAR, EMISSION or SHININESS; to set both, AMBIENT_AND_DIFFUSE";
 constexpr const char* kVectors = "It has several values: use the command that takes a pointer";
+
+using enum Results::Kind;
+
+// Table 6.10
+constexpr auto kLightQueries = tableOf<Query<gen::Light>>({
+    {GL_AMBIENT, Normalised, [](gen::Light& light) { return light.ambient; }},
+    {GL_DIFFUSE, Normalised, [](gen::Light& light) { return light.diffuse; }},
+    {GL_SPECULAR, Normalised, [](gen::Light& light) { return light.specular; }},
+    {GL_POSITION, Number, [](gen::Light& light) { return light.position; }},
+    {GL_SPOT_DIRECTION, Number, [](gen::Light& light) { return light.spotDirection; }},
+    {GL_SPOT_EXPONENT, Number, [](gen::Light& light) { return light.spotExponent; }},
+    {GL_SPOT_CUTOFF, Number, [](gen::Light& light) { return light.spotCutoff; }},
+    {GL_CONSTANT_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.x; }},
+    {GL_LINEAR_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.y; }},
+    {GL_QUADRATIC_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.z; }},
+});
+
+// What ambient and diffuse are while they follow the current color.
+glm::vec4 tracked(const Context& c, const glm::vec4& field) {
+  return c.state.fixed.lighting.colorMaterial ? c.state.fixed.attributes[gen::kColor].current : field;
+}
+
+// Table 6.9
+constexpr auto kMaterialQueries = tableOf<Query<Context>>({
+    {GL_AMBIENT, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.ambient); }},
+    {GL_DIFFUSE, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.diffuse); }},
+    {GL_SPECULAR, Normalised, [](Context& c) { return c.state.fixed.lighting.material.specular; }},
+    {GL_EMISSION, Normalised, [](Context& c) { return c.state.fixed.lighting.material.emission; }},
+    {GL_SHININESS, Number, [](Context& c) { return c.state.fixed.lighting.material.shininess; }},
+});
 
 bool inRange(float value, float low, float high) {
   return value >= low && value <= high;
@@ -32,7 +65,7 @@ void setAttenuation(Context& c, float& field, float value, const char* command) 
   c.set(field, value, kLighting);
 }
 
-void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& params, const char* command) {
+void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& params) {
   const glm::dmat4& modelview = c.state.fixed.modelview;
   switch (pname) {
     case GL_AMBIENT:
@@ -43,18 +76,19 @@ void setLightVector(Context& c, gen::Light& light, GLenum pname, const Params& p
       return c.set(light.specular, params.vec4(), kLighting);
     case GL_POSITION:
       return c.set(light.position, modelview * glm::dvec4(params.vec4()), kLighting);
-    case GL_SPOT_DIRECTION:
+    default:  // GL_SPOT_DIRECTION
       return c.set(light.spotDirection, glm::dmat3(modelview) * glm::dvec3(params.vec3()), kLighting);
-    default:
-      return c.setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
   }
 }
 
 void setLight(GLenum name, GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c) return;
   gen::Light* light = lightOf(*c, name);
   if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
+  if (!kLightQueries.find(pname))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
+  if (params.null()) return;
   switch (pname) {
     case GL_SPOT_EXPONENT:
       if (!inRange(params.number(), 0, 128))
@@ -75,7 +109,7 @@ void setLight(GLenum name, GLenum pname, const Params& params, const char* comma
       return setAttenuation(*c, light->attenuation.z, params.number(), command);
     default:
       if (!params.vector()) return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kVectors), command);
-      return setLightVector(*c, *light, pname, params, command);
+      return setLightVector(*c, *light, pname, params);
   }
 }
 
@@ -87,9 +121,12 @@ void setTracked(Context& c, glm::vec4& field, const glm::vec4& value) {
 void setMaterial(GLenum face, GLenum pname, const Params& params,
                  const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
+  if (!c) return;
   if (face != GL_FRONT_AND_BACK)
     return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT_AND_BACK"), command);
+  if (pname != GL_AMBIENT_AND_DIFFUSE && !kMaterialQueries.find(pname))
+    return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
+  if (params.null()) return;
   gen::Material& material = c->state.fixed.lighting.material;
   if (pname == GL_SHININESS) {
     if (!inRange(params.number(), 0, 128))
@@ -108,70 +145,38 @@ void setMaterial(GLenum face, GLenum pname, const Params& params,
       return setTracked(*c, material.diffuse, params.vec4());
     case GL_SPECULAR:
       return c->set(material.specular, params.vec4(), kLighting);
-    case GL_EMISSION:
+    default:  // GL_EMISSION
       return c->set(material.emission, params.vec4(), kLighting);
-    default:
-      return c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kMaterialNames), command);
   }
 }
 
 void setLightModel(GLenum pname, const Params& params, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || params.null()) return;
-  if (pname == GL_LIGHT_MODEL_TWO_SIDE) {
-    return c->set(c->state.fixed.lighting.twoSided, params.boolean(), kLighting);
-  }
-  if (pname != GL_LIGHT_MODEL_AMBIENT || !params.vector())
+  if (!c) return;
+  if (pname != GL_LIGHT_MODEL_TWO_SIDE && (pname != GL_LIGHT_MODEL_AMBIENT || !params.vector()))
     return c->setError(
         GL_INVALID_ENUM,
         wrongEnum("pname", pname,
                   "Use LIGHT_MODEL_TWO_SIDE, or LIGHT_MODEL_AMBIENT with a command that takes a pointer"),
         command);
+  if (params.null()) return;
+  if (pname == GL_LIGHT_MODEL_TWO_SIDE)
+    return c->set(c->state.fixed.lighting.twoSided, params.boolean(), kLighting);
   c->set(c->state.fixed.lighting.modelAmbient, params.vec4(), kLighting);
 }
 
-using enum Results::Kind;
-
-// Table 6.10
-constexpr auto kLightQueries = tableOf<Query<gen::Light>>({
-    {GL_AMBIENT, Normalised, [](gen::Light& light) { return light.ambient; }},
-    {GL_DIFFUSE, Normalised, [](gen::Light& light) { return light.diffuse; }},
-    {GL_SPECULAR, Normalised, [](gen::Light& light) { return light.specular; }},
-    {GL_POSITION, Number, [](gen::Light& light) { return light.position; }},
-    {GL_SPOT_DIRECTION, Number, [](gen::Light& light) { return light.spotDirection; }},
-    {GL_SPOT_EXPONENT, Number, [](gen::Light& light) { return light.spotExponent; }},
-    {GL_SPOT_CUTOFF, Number, [](gen::Light& light) { return light.spotCutoff; }},
-    {GL_CONSTANT_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.x; }},
-    {GL_LINEAR_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.y; }},
-    {GL_QUADRATIC_ATTENUATION, Number, [](gen::Light& light) { return light.attenuation.z; }},
-});
-
 void getLight(GLenum name, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || results.null()) return;
+  if (!c) return;
   gen::Light* light = lightOf(*c, name);
   if (!light) return c->setError(GL_INVALID_ENUM, wrongEnum("light", name, kLights), command);
   if (!answer(kLightQueries, *light, pname, results))
     c->setError(GL_INVALID_ENUM, wrongEnum("pname", pname, kLightNames), command);
 }
 
-// What ambient and diffuse are while they follow the current color.
-glm::vec4 tracked(const Context& c, const glm::vec4& field) {
-  return c.state.fixed.lighting.colorMaterial ? c.state.fixed.attributes[gen::kColor].current : field;
-}
-
-// Table 6.9
-constexpr auto kMaterialQueries = tableOf<Query<Context>>({
-    {GL_AMBIENT, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.ambient); }},
-    {GL_DIFFUSE, Normalised, [](Context& c) { return tracked(c, c.state.fixed.lighting.material.diffuse); }},
-    {GL_SPECULAR, Normalised, [](Context& c) { return c.state.fixed.lighting.material.specular; }},
-    {GL_EMISSION, Normalised, [](Context& c) { return c.state.fixed.lighting.material.emission; }},
-    {GL_SHININESS, Number, [](Context& c) { return c.state.fixed.lighting.material.shininess; }},
-});
-
 void getMaterial(GLenum face, GLenum pname, Results results, const char* command = __builtin_FUNCTION()) {
   Context* c = current();
-  if (!c || results.null()) return;
+  if (!c) return;
   if (face != GL_FRONT && face != GL_BACK)
     return c->setError(GL_INVALID_ENUM, wrongEnum("face", face, "Use FRONT or BACK"), command);
   if (!answer(kMaterialQueries, *c, pname, results))
