@@ -254,6 +254,17 @@ TEST_F(PointsOnSprites, Interpolation) {
   }
 }
 
+// 3.3: smooth points are none while they are sprites.
+TEST_F(PointsOnSprites, AreSquaresWhenSmooth) {
+  glEnable(GL_POINT_SPRITE_OES);
+  glEnable(GL_POINT_SMOOTH);
+  glPointSize(16);
+  drawPoint(32, 32);
+  const Image image = readAll();
+  EXPECT_EQ(lit(image).count, 256);
+  EXPECT_TRUE(near(image.at(24, 24), kGreen, 0)) << "a corner";
+}
+
 // 3.3: COORD_REPLACE for each unit by itself.
 TEST_F(PointsOnSprites, PerUnit) {
   const GLubyte texels[] = {255, 255, 255, 255, 0, 0, 0, 255};
