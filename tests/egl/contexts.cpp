@@ -197,6 +197,11 @@ TEST_F(Contexts, Surfaceless) {
   GLint box[4] = {9, 9, 9, 9};
   glGetIntegerv(GL_VIEWPORT, box);
   EXPECT_EQ(std::vector<GLint>(box, box + 4), (std::vector<GLint>{0, 0, 0, 0}));
+  glGetIntegerv(GL_SCISSOR_BOX, box);
+  EXPECT_EQ(std::vector<GLint>(box, box + 4), (std::vector<GLint>{0, 0, 0, 0}));
+  const auto status =
+      reinterpret_cast<PFNGLCHECKFRAMEBUFFERSTATUSOESPROC>(eglGetProcAddress("glCheckFramebufferStatusOES"));
+  EXPECT_EQ(status(GL_FRAMEBUFFER_OES), GLenum{GL_FRAMEBUFFER_UNDEFINED_OES});
   GLuint name = 0;
   glGenTextures(1, &name);
   glBindTexture(GL_TEXTURE_2D, name);
@@ -214,11 +219,13 @@ TEST_F(Contexts, SurfacelessDrawing) {
   glVertexPointer(2, GL_FLOAT, 0, triangle);
   GLubyte pixel[4] = {};
   glClear(GL_COLOR_BUFFER_BIT);
+  EXPECT_EQ(glGetError(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION_OES});
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  EXPECT_EQ(glGetError(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION_OES});
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  EXPECT_EQ(glGetError(), GLenum{GL_INVALID_FRAMEBUFFER_OPERATION_OES});
   glFinish();
-  while (glGetError() != GL_NO_ERROR) {
-  }
+  EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
 // EGL_KHR_no_config_context: a context without a config works with surfaces of different ones.
