@@ -159,11 +159,11 @@ void translatePoints(const State& state, const FragmentKey& fragment, const Prof
   const Points& points = state.points;
   key.pointShape = fragment.pointShape;
   key.pointFade = fragment.pointFade;
+  key.pointRound = !points.sprite && !state.multisample && fragment.pointShape == PointShape::Square;
   if (!profile.largePoints) {
     key.pointSize = PointSize::One;
     return;
   }
-  key.pointRound = !points.sprite && fragment.pointShape == PointShape::Square;
   key.pointAttenuation = isAttenuated(points);
   if (sizeVaries(state))
     key.pointSize = PointSize::Varying;

@@ -202,14 +202,20 @@ void writeTexCoord(const VertexKey& key, int u, Shader& shader) {
     shader.line("texCoord{} = {}{};", u, coord, swizzle(unit.output));
 }
 
-void writePointSize(const VertexKey& key, Shader& shader) {
+void writePoint(const VertexKey& key, Shader& shader) {
   if (key.pointSize == PointSize::None) return;
+  shader.line("gl_Position = {}(gl_Position);", shader.call("clippedByCenter"));
   std::string diameter = key.pointSize == PointSize::One ? "1.0" : "size";
   if (key.pointSize == PointSize::Varying) {
     if (key.pointAttenuation)
       diameter = fmt::format("{}(size, sizeAttenuation, length(point))", shader.call("attenuatedSize"));
     diameter = fmt::format("clamp({}, sizeRange.x, sizeRange.y)", diameter);
     if (key.pointRound) diameter = fmt::format("{}({})", shader.call("wholeSize"), diameter);
+  }
+  if (key.pointRound) {
+    shader.line("float width = {};", diameter);
+    shader.line("gl_Position = {}(gl_Position, viewport, width);", shader.call("onWholePixels"));
+    diameter = "width";
   }
   if (key.pointFade) {
     shader.declareLine("layout(location = {}) flat out float fade;", kFadeLocation);
@@ -324,7 +330,7 @@ std::string emitVertex(const VertexKey& key) {
   for (int u = 0; u < kMaxTextureUnits; ++u)
     if (key.units[u].output != Coordinate::None) writeTexCoord(key, u, shader);
   writeClipDistances(key, shader);
-  writePointSize(key, shader);
+  writePoint(key, shader);
   return shader.text();
 }
 

@@ -164,7 +164,7 @@ struct VertexKey {
   uint8_t clipVaryings;  // 0, 1: clip distances go to the fragment stage instead of the clipper
   PointSize pointSize;
   uint8_t pointAttenuation;  // 0, 1
-  uint8_t pointRound;        // 0, 1: to whole pixels (section 3.3.1)
+  uint8_t pointRound;        // 0, 1: size and place, to whole pixels (section 3.3.1)
   PointShape pointShape;     // not Square: the fragment stage gets the diameter
   uint8_t pointFade;         // 0, 1: points are no smaller than the fade threshold, and fade instead
   uint8_t palette;           // 0-4: the weights of a vertex; 0: no matrix palette

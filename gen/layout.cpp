@@ -254,6 +254,9 @@ void visitPoints(const VertexKey& key, Visit visit) {
   if (key.pointSize == PointSize::Constant)
     visit({Type::Float, "size", -1, "", kGroupPoints | kGroupFragmentOps | kGroupFramebuffer,
            [](const State& s, int, float* out) { *out = constantPointSize(s); }});
+  if (key.pointRound)
+    visit({Type::Vec4, "viewport", -1, "", kGroupViewport,
+           [](const State& s, int, float* out) { put(out, viewportTransform(s.viewport)); }});
   if (key.pointFade)
     visit({Type::Float, "fadeThreshold", -1, "", kGroupPoints,
            [](const State& s, int, float* out) { *out = s.points.fadeThreshold; }});

@@ -165,10 +165,10 @@ void reduce(VertexKey& key) {
 
   if (key.pointSize == PointSize::None) {
     key.pointShape = PointShape::Square;
-    key.pointFade = 0;
+    key.pointFade = key.pointRound = 0;
   }
   if (key.pointSize != PointSize::Varying) {
-    key.pointAttenuation = key.pointRound = 0;
+    key.pointAttenuation = 0;
     key.fetch[kPointSize] = Fetch::Unread;
   }
   if (!key.fog || needsEye(key) || key.palette) key.fogW = 0;

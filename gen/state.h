@@ -178,6 +178,10 @@ struct Palette {
   std::array<glm::dmat4, kPaletteMatrices> matrices;
 };
 
+struct Rect {
+  int x = 0, y = 0, width = 0, height = 0;  // pixels, origin at GL's lower left
+};
+
 enum class PrimitiveClass : uint8_t { Points, Lines, Triangles };
 
 struct State {
@@ -192,6 +196,7 @@ struct State {
   std::array<TextureUnit, kMaxTextureUnits> units;
   Fog fog;
   Points points;
+  Rect viewport;
   bool lineSmooth = false;
   std::array<ClipPlane, kMaxClipPlanes> clipPlanes;
 

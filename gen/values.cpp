@@ -158,6 +158,11 @@ glm::dvec3 constantAmbient(const State& state) {
   return sum;
 }
 
+glm::dvec4 viewportTransform(const Rect& viewport) {
+  const glm::dvec2 half(viewport.width / 2.0, viewport.height / 2.0);
+  return {viewport.x + half.x, viewport.y + half.y, half};
+}
+
 glm::dvec2 pointSizeRange(const Points& points) {
   const double most = std::clamp(points.sizeMax, points.deviceMin, points.deviceMax);
   const double least = std::clamp(points.sizeMin, points.deviceMin, points.deviceMax);

@@ -39,6 +39,9 @@ bool variesByVertex(const Light& light);
 // Ambient light that no vertex changes: of the scene and of lights that do not vary.
 glm::dvec3 constantAmbient(const State& state);
 
+// From normalised device to window coordinates (section 2.10.1): the centre in pixels, and half the size.
+glm::dvec4 viewportTransform(const Rect& viewport);
+
 // Limits of a derived point size: the user's range within the device's.
 glm::dvec2 pointSizeRange(const Points& points);
 

@@ -16,9 +16,7 @@ class Buffer;
 class Image;
 class Window;
 
-struct Rect {
-  int x = 0, y = 0, width = 0, height = 0;  // pixels, origin at GL's lower left
-};
+using gen::Rect;
 
 // One face (cube maps: +X, -X, +Y, -Y, +Z, -Z; else 0; 3D images: a slice) of one level of an image.
 struct Attachment {
@@ -131,7 +129,6 @@ struct State {
   std::array<TextureBinding, gen::kMaxTextureUnits> textures;
   Raster raster;
   FragmentOps ops;
-  Rect viewport;
   float depthNear = 0, depthFar = 1;
   bool scissorTest = false;
   Rect scissor;

@@ -129,7 +129,7 @@ Rasteriser::Rasteriser(const render::State& state) : state_(state) {
 
 // Section 2.10.1.
 WindowVertex Rasteriser::toWindow(const Vertex& vertex) const {
-  const render::Rect& view = state_.viewport;
+  const render::Rect& view = state_.fixed.viewport;
   const double n = std::clamp<double>(state_.depthNear, 0, 1), f = std::clamp<double>(state_.depthFar, 0, 1);
   WindowVertex result;
   result.vertex = vertex;
@@ -256,7 +256,7 @@ void Rasteriser::triangle(const WindowPrimitive& primitive, int fromRow, int toR
   }
 
   // Clipping left a margin around the view volume (clipping.h); the viewport ends it.
-  const render::Rect visible = intersect(bounds_, state_.viewport);
+  const render::Rect visible = intersect(bounds_, state_.fixed.viewport);
   fromRow = std::max(fromRow, visible.y);
   toRow = std::min(toRow, visible.y + visible.height);
   const auto [minX, maxX] = std::minmax({v[0].window.x, v[1].window.x, v[2].window.x});
@@ -451,6 +451,7 @@ void Rasteriser::point(const WindowPrimitive& primitive, int fromRow, int toRow,
   if (!points.sprite && !round) {
     size = std::max(1.0, std::floor(size + 0.5));
     const bool odd = std::fmod(size, 2) == 1;
+    center = glm::floor(center * double(kSubpixels) + 0.5) / double(kSubpixels);
     center = odd ? glm::floor(center) + 0.5 : glm::floor(center + 0.5);
   }
   const double radius = size / 2;

@@ -64,7 +64,7 @@ Scene::Scene(render::Device& on, int width, int height, render::Format color, re
   framebuffer.width = width;
   framebuffer.height = height;
   framebuffer.samples = samples;
-  state.viewport = {0, 0, width, height};
+  state.fixed.viewport = {0, 0, width, height};
   state.depthFar = 1;
   state.fixed.multisample = samples > 1;
   state.fixed.alphaBits = render::info(color).alpha;

@@ -78,8 +78,8 @@ void setDefaultFramebuffer(Context& c, const render::Framebuffer* framebuffer,
   if (!c.boundFramebuffer) useDefaultFramebuffer(c);
   if (!framebuffer || c.hadFramebuffer) return;
   c.hadFramebuffer = true;
-  c.state.viewport = {0, 0, framebuffer->width, framebuffer->height};
-  c.state.scissor = c.state.viewport;
+  c.state.fixed.viewport = {0, 0, framebuffer->width, framebuffer->height};
+  c.state.scissor = c.state.fixed.viewport;
   c.mark(gen::kGroupViewport);
 }
 

@@ -63,7 +63,7 @@ GL_API void GL_APIENTRY glViewport(GLint x, GLint y, GLsizei width, GLsizei heig
   if (!c) return;
   if (width < 0 || height < 0) return c->setError(GL_INVALID_VALUE, negativeSize(width, height));
   const int(&limits)[2] = c->device.caps().maxViewport;
-  anteroom::render::Rect& viewport = c->state.viewport;
+  anteroom::render::Rect& viewport = c->state.fixed.viewport;
   c->set(viewport.x, x, gen::kGroupViewport);
   c->set(viewport.y, y, gen::kGroupViewport);
   c->set(viewport.width, std::min(width, limits[0]), gen::kGroupViewport);

@@ -137,7 +137,7 @@ constexpr auto kQueries = tableOf<Query<Context>>({
      [](Context& c) { return bitsOf(c.state.fixed.projection); }},
     {GL_TEXTURE_MATRIX_FLOAT_AS_INT_BITS_OES, Integer,
      [](Context& c) { return bitsOf(c.state.fixed.units[c.activeTexture].matrix); }},
-    {GL_VIEWPORT, Integer, [](Context& c) { return cornerAndSize(c.state.viewport); }},
+    {GL_VIEWPORT, Integer, [](Context& c) { return cornerAndSize(c.state.fixed.viewport); }},
     {GL_DEPTH_RANGE, Normalised, [](Context& c) { return glm::vec2(c.state.depthNear, c.state.depthFar); }},
     {GL_MODELVIEW_STACK_DEPTH, Integer, [](Context& c) { return c.modelviewStack.depth; }},
     {GL_PROJECTION_STACK_DEPTH, Integer, [](Context& c) { return c.projectionStack.depth; }},

@@ -80,7 +80,7 @@ void drawBox(Context& c, const Box& box, const char* command) {
   for (gen::ClipPlane& plane : state.fixed.clipPlanes) plane.enabled = false;
   state.fixed.primitive = gen::PrimitiveClass::Triangles;
   state.raster.cullFace = state.raster.polygonOffsetFill = false;
-  state.viewport = {0, 0, state.framebuffer.width, state.framebuffer.height};
+  state.fixed.viewport = {0, 0, state.framebuffer.width, state.framebuffer.height};
 
   render::DrawCall call;
   call.mode = GL_TRIANGLE_STRIP;

@@ -213,7 +213,7 @@ void translateRaster(const render::State& state, const Target& target, const Fea
 
 bool translateViewport(const render::State& state, const Target& target, const VkPhysicalDeviceLimits& limits,
                        DrawState& out) {
-  const render::Rect& v = state.viewport;
+  const render::Rect& v = state.fixed.viewport;
   const render::Rect window =
       clipped(state.scissorTest ? state.scissor : render::Rect{0, 0, target.width, target.height}, target);
   out.scissor = flipped(window, target);
