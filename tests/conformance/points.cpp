@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <string>
+#include <string_view>
 
 #include "harness.h"
 
@@ -67,15 +70,115 @@ TEST_F(Points, Sizes) {
   }
 }
 
-// 2.11: a point is clipped by its vertex: a big one at the edge stays whole inside, one outside is gone.
-TEST_F(Points, Clipping) {
-  glPointSize(8);
-  drawPoint(62, 32);
-  EXPECT_PIXEL(63, 32, kGreen);
-  EXPECT_PIXEL(59, 32, kGreen);
-  clear();
-  drawPoint(10, 10, 150);
-  EXPECT_EQ(lit(readAll()).count, 0);
+// 3.3.1: the square of a point that is neither smooth nor a sprite, by its size and the place of its vertex.
+struct Square {
+  int x = 0, y = 0, width = 0;
+};
+Square squareOf(double x, double y, double size) {
+  const int width = std::max(1, static_cast<int>(std::floor(size + 0.5)));
+  const double half = width % 2 ? 0 : 0.5;
+  return {static_cast<int>(std::floor(x + half)) - width / 2,
+          static_cast<int>(std::floor(y + half)) - width / 2, width};
+}
+
+// 3.3.1: odd sizes are centred on floor(x) + 1/2, even ones on floor(x + 1/2): on exact halves, on pixels'
+// edges and anywhere between.
+TEST_F(Points, LieOnWholePixels) {
+  std::vector<double> fractions = {0, 0.25, 0.5, 0.75, 0.99};
+  std::minstd_rand random(7);
+  for (int i = 0; i < 4; ++i) fractions.push_back(static_cast<double>(random() % 64) / 64);
+  for (double size : {1.0, 2.0, 2.4, 3.0, 4.0, 5.0, 15.0, 16.0}) {
+    if (size > range_[1]) continue;
+    glPointSize(static_cast<GLfloat>(size));
+    for (double fx : fractions) {
+      for (double fy : fractions) {
+        clear();
+        drawPoint(20 + fx, 30 + fy);
+        const Box box = lit(readImage(0, 0, 64, 64));
+        const Square square = squareOf(20 + fx, 30 + fy, size);
+        const std::string what = fmt::format("size {} at ({}, {})", size, 20 + fx, 30 + fy);
+        EXPECT_EQ(box.x0, square.x) << what;
+        EXPECT_EQ(box.y0, square.y) << what;
+        EXPECT_EQ(box.width(), square.width) << what;
+        EXPECT_EQ(box.height(), square.width) << what;
+        EXPECT_EQ(box.count, square.width * square.width) << what;
+      }
+    }
+  }
+}
+
+// 3.3.1: a point for each pixel lights each once, whether it names the pixel's corner or its centre, in
+// viewports whose sizes no float divides exactly.
+TEST_F(Points, AFullGrid) {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glColor4f(0.25f, 0.25f, 0.25f, 1);
+  for (const auto& [width, height] : {std::array{64, 64}, std::array{60, 50}, std::array{37, 59}}) {
+    for (float offset : {0.0f, 0.5f, 0.9375f}) {
+      std::vector<GLfloat> grid;
+      for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+          grid.push_back(static_cast<GLfloat>(x) + offset);
+          grid.push_back(static_cast<GLfloat>(y) + offset);
+        }
+      }
+      glViewport(0, 0, width, height);
+      glMatrixMode(GL_PROJECTION);
+      glLoadIdentity();
+      glOrthof(0, static_cast<GLfloat>(width), 0, static_cast<GLfloat>(height), -1, 1);
+      clear();
+      glVertexPointer(2, GL_FLOAT, 0, grid.data());
+      glDrawArrays(GL_POINTS, 0, width * height);
+      const Image image = readAll();
+      int wrong = 0;
+      for (int y = 0; y < 64; ++y) {
+        for (int x = 0; x < 64; ++x) {
+          const double expected = x < width && y < height ? 0.25 : 0;
+          wrong += std::abs(image.at(x, y)[0] - expected) > kOneStep;
+        }
+      }
+      EXPECT_EQ(wrong, 0) << width << "x" << height << ", offset " << offset;
+    }
+  }
+}
+
+// 2.11: a point is clipped by its vertex: a big one keeps what of it lies beyond the viewport, and one whose
+// centre is outside the clip volume is gone, plain, smooth or a sprite.
+TEST_F(Points, ClippedByTheirCenter) {
+  if (range_[1] < 16) GTEST_SKIP() << "no points of size 16";
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glPointSize(16);
+  struct Row {
+    double x, y, z;
+    int pixels;
+  };
+  for (const char* kind : {"plain", "smooth", "sprite"}) {
+    const bool smooth = kind == std::string_view("smooth");
+    (smooth ? glEnable : glDisable)(GL_POINT_SMOOTH);
+    (kind == std::string_view("sprite") ? glEnable : glDisable)(GL_POINT_SPRITE_OES);
+    for (const Row& row : {Row{0, 0, 0, 256}, Row{-1, 0, 0, 128}, Row{-1.0625, 0, 0, 0}, Row{1.0625, 0, 0, 0},
+                           Row{0, 1.0625, 0, 0}, Row{0, -1.0625, 0, 0}, Row{-1.0625, -1.0625, 0, 0},
+                           Row{0, 0, 1.0625, 0}, Row{0, 0, -1.0625, 0}}) {
+      clear();
+      drawPoint(row.x, row.y, row.z);
+      const int pixels = lit(readAll()).count;
+      const std::string what = fmt::format("{} at ({}, {}, {})", kind, row.x, row.y, row.z);
+      if (smooth)
+        EXPECT_EQ(pixels > 0, row.pixels > 0) << what;
+      else
+        EXPECT_EQ(pixels, row.pixels) << what;
+    }
+    // In a viewport smaller than the surface a point reaches over its edge.
+    glViewport(16, 16, 32, 32);
+    clear();
+    drawPoint(0.9375, 0);
+    if (!smooth) EXPECT_EQ(lit(readAll()).count, 256) << kind;
+    clear();
+    drawPoint(1.125, 0);
+    EXPECT_EQ(lit(readAll()).count, 0) << kind;
+    glViewport(0, 0, 64, 64);
+  }
 }
 
 // 3.3: size * sqrt(1 / (a + b d + c d^2)), clamped to [POINT_SIZE_MIN, POINT_SIZE_MAX].

@@ -16,7 +16,7 @@ class Plan : public Part {
  protected:
   void SetUp() override {
     state_.framebuffer = picture_.framebuffer;
-    state_.viewport = {0, 0, 8, 8};
+    state_.fixed.viewport = {0, 0, 8, 8};
     state_.fixed.alphaBits = 8;
     state_.fixed.attributes[gen::kPosition] = {true, 3, GL_FLOAT, {}};
   }
@@ -49,10 +49,10 @@ TEST_P(Plan, HoldsWhatAStateMeans) {
 }
 
 TEST_P(Plan, OfADrawThatNobodyCanSeeIsNothing) {
-  state_.viewport.width = 0;
+  state_.fixed.viewport.width = 0;
   ASSERT_TRUE(update(gen::kAllGroups));
   EXPECT_TRUE(plan_.nothing);
-  state_.viewport.width = 8;
+  state_.fixed.viewport.width = 8;
   ASSERT_TRUE(update(gen::kGroupViewport));
   EXPECT_FALSE(plan_.nothing);
   state_.raster.cullFace = true;

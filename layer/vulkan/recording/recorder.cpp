@@ -155,7 +155,7 @@ bool Recorder::beginSampling(const std::shared_ptr<ImageStore>& store) {
 }
 
 Quad::Quad(const Target& target) {
-  state.fixed.viewport = {0, 0, static_cast<float>(target.width), static_cast<float>(target.height), 0, 1};
+  state.viewport = {0, 0, static_cast<float>(target.width), static_cast<float>(target.height), 0, 1};
   state.scissor.extent = {static_cast<uint32_t>(target.width), static_cast<uint32_t>(target.height)};
   state.fixed.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   state.fixed.depthCompare = state.fixed.stencilCompare = VK_COMPARE_OP_ALWAYS;
