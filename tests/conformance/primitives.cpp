@@ -276,6 +276,37 @@ TEST_F(Primitives, SlopedLines) {
   }
 }
 
+// 3.4.1, rule 4: joined segments have no hole and no pixel twice at the joint, on pixel centres and off them, in every
+// direction.
+TEST_F(Primitives, JoinedLines) {
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glColor4ub(100, 0, 0, 100);
+  constexpr int kSteps[][2] = {{20, 0},   {20, 10},  {20, 20},  {10, 20},  {0, 20},  {-10, 20},
+                               {-20, 20}, {-20, 10}, {20, -10}, {20, -20}, {10, -20}};
+  for (const auto& [dx, dy] : kSteps) {
+    for (int sign : {1, -1}) {
+      for (float fx : {0.0f, 0.25f, 0.5f, 0.75f}) {
+        for (float fy : {0.0f, 0.25f, 0.5f, 0.75f}) {
+          const float x = 32 + fx, y = 32 + fy;
+          const auto stepX = static_cast<float>(dx * sign), stepY = static_cast<float>(dy * sign);
+          clear();
+          draw(GL_LINE_STRIP, {x - stepX, y - stepY, x, y, x + stepX, y + stepY});
+          const Image image = readAll();
+          const bool xMajor = std::abs(dx) >= std::abs(dy);
+          // Once along the major axis in all columns but those of the two free ends.
+          for (int a = 14; a < 51; ++a) {
+            double sum = 0;
+            for (int b = 0; b < 64; ++b) sum += xMajor ? image.at(a, b)[0] : image.at(b, a)[0];
+            EXPECT_NEAR(sum, 100 / 255.0, kOneStep)
+                << "steps of " << stepX << ", " << stepY << " joined at " << x << ", " << y << "; at " << a;
+          }
+        }
+      }
+    }
+  }
+}
+
 // 3.4.2: wide lines are as many fragments wide as the width rounds to.
 TEST_F(Primitives, WideLines) {
   GLfloat range[2] = {};

@@ -224,7 +224,12 @@ bool translateViewport(const render::State& state, const Target& target, const V
   const float height =
       std::min(static_cast<float>(v.height), static_cast<float>(limits.maxViewportDimensions[1]));
   const float x = std::clamp(static_cast<float>(v.x), low, high - width);
-  const float y = std::clamp(static_cast<float>(v.y), low, high - height);
+  float y = std::clamp(static_cast<float>(v.y), low, high - height);
+  // Section 3.4.1 lets the ends of lines be moved a little, so that none lies on a corner of a diamond: drivers lose or
+  // double a pixel where lines meet on pixel centres.
+  if (state.fixed.primitive == gen::PrimitiveClass::Lines &&
+      out.fixed.lineMode == VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT)
+    y = std::max(low, y - std::ldexp(1.0f, -static_cast<int>(limits.subPixelPrecisionBits)));
   out.viewport = {
       x, y, width, height, std::clamp(state.depthNear, 0.0f, 1.0f), std::clamp(state.depthFar, 0.0f, 1.0f)};
   if (target.yDown) {
