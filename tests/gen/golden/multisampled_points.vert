@@ -19,6 +19,11 @@ layout(location = 0) out vec4 frontColor;
 layout(location = 14) flat out float fade;
 layout(location = 3) flat out float diameter;
 
+// Section 2.11: a point is there when its centre is inside the clip volume, whatever its size. Drivers may keep the part
+// of it that is inside; they do clip by depth.
+vec4 clippedByCenter(vec4 clip) {
+  return all(lessThanEqual(abs(clip.xy), clip.ww)) ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+}
 // Equation 3.2.
 float pointFade(float derived, float threshold) {
   float ratio = min(derived / threshold, 1.0);
@@ -28,6 +33,7 @@ float pointFade(float derived, float threshold) {
 void main() {
   gl_Position = modelviewProjection * position;
   frontColor = color;
+  gl_Position = clippedByCenter(gl_Position);
   float derived = size;
   fade = pointFade(derived, fadeThreshold);
   diameter = max(derived, fadeThreshold);

@@ -17,9 +17,16 @@ invariant gl_Position;
 layout(location = 0) out vec4 frontColor;
 layout(location = 3) flat out float diameter;
 
+// Section 2.11: a point is there when its centre is inside the clip volume, whatever its size. Drivers may keep the part
+// of it that is inside; they do clip by depth.
+vec4 clippedByCenter(vec4 clip) {
+  return all(lessThanEqual(abs(clip.xy), clip.ww)) ? clip : vec4(0.0, 0.0, 2.0, 1.0);
+}
+
 void main() {
   gl_Position = modelviewProjection * position;
   frontColor = color;
+  gl_Position = clippedByCenter(gl_Position);
   diameter = size;
   gl_PointSize = diameter + 1.0;
 }
