@@ -136,6 +136,36 @@ TEST_F(FramebufferObjects, RenderToTextureAndSampleIt) {
   EXPECT_GL_ERROR(GL_NO_ERROR);
 }
 
+// OES_framebuffer_object 4.4.4: depth alone is complete. Draws without DEPTH_TEST leave it as it is; draws with it are
+// tested and written.
+TEST_F(FramebufferObjects, OfDepthAlone) {
+  const GLuint target = texture(16);
+  framebuffer();
+  attach(GL_DEPTH_ATTACHMENT_OES, renderbuffer(GL_DEPTH_COMPONENT16_OES, 16, 16));
+  if (status() != GL_FRAMEBUFFER_COMPLETE_OES) GTEST_SKIP() << "depth alone cannot be drawn to here";
+  glViewport(0, 0, 16, 16);
+  drawIn(kRed, {});  // before anything else is known of the image
+  glClearDepthf(0.5f);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glFinish();
+  drawIn(kRed, {});
+  glFinish();
+  glEnable(GL_DEPTH_TEST);
+  glPushMatrix();
+  glTranslatef(0, 0, -0.5f);  // nearer: a depth of 0.25
+  drawIn(kRed, {-1, -1, 0, 1});
+  glPopMatrix();
+  attachTexture(target);
+  clearTo(kBlue);
+  glPushMatrix();
+  glTranslatef(0, 0, -0.25f);  // between the two
+  drawIn(kGreen, {});
+  glPopMatrix();
+  EXPECT_PIXEL(4, 8, kBlue);
+  EXPECT_PIXEL(12, 8, kGreen);
+  EXPECT_GL_ERROR(GL_NO_ERROR);
+}
+
 // The window's pixels are untouched by what happens in an object.
 TEST_F(FramebufferObjects, TheDefaultFramebufferIsApart) {
   clearTo(kGreen);

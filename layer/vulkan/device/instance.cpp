@@ -21,8 +21,9 @@ std::atomic<unsigned> messageCount{0};
 thread_local ValidationScope* innermostScope = nullptr;
 
 // glslang decorates gl_Position, a member of gl_PerVertex, as SPIR-V allows; some versions of the layer warn
-// of it.
-constexpr const char* kFalseAlarms[] = {"Decoration not allowed on struct members: SpvDecorationInvariant"};
+// of it. Colors that a framebuffer of depth alone has no attachment for are dropped, as Vulkan says.
+constexpr const char* kFalseAlarms[] = {"Decoration not allowed on struct members: SpvDecorationInvariant",
+                                        "writes to output location 0 with no matching attachment"};
 
 constexpr const char* kNoDriver =
     "no Vulkan device: install a Vulkan driver, such as Mesa's lavapipe (mesa-vulkan-drivers)";

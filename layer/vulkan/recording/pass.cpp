@@ -6,7 +6,8 @@
 namespace anteroom::vulkan {
 
 bool PassEncoder::require(const Target& target, bool withDepth) {
-  withDepth = withDepth && target.depth;
+  // A pass has an attachment: where there is depth alone, it is there without a test, too.
+  withDepth = (withDepth || !target.color) && target.depth;
   if (active_ && target_.same(target) && (hasDepth() || !withDepth)) return true;
   // A pass that is opened anew on its own target keeps its depth.
   const bool keepDepth = active_ && target_.same(target) && hasDepth();
