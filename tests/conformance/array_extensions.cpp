@@ -129,6 +129,26 @@ TEST_F(ArrayExtensions, MapBuffer) {
   EXPECT_GL_ERROR(GL_INVALID_OPERATION);
 }
 
+// OES_mapbuffer: what cannot be mapped is OUT_OF_MEMORY and NULL: a store that was never given, is empty or could not be had.
+TEST_F(ArrayExtensions, EmptyStoresAreNotMapped) {
+  NEEDS_EXTENSION("GL_OES_mapbuffer");
+  MESA_DISAGREES("OES_mapbuffer", "empty stores are mapped");
+  COMMAND(PFNGLMAPBUFFEROESPROC, MapBufferOES);
+  const GLuint name = buffer(GL_ARRAY_BUFFER, 0, nullptr);
+  for (const bool failed : {false, true}) {
+    if (failed) {
+      glBufferData(GL_ARRAY_BUFFER, GLsizeiptr{1} << 40, nullptr, GL_STATIC_DRAW);
+      EXPECT_GL_ERROR(GL_OUT_OF_MEMORY);
+    }
+    EXPECT_EQ(MapBufferOES(GL_ARRAY_BUFFER, GL_WRITE_ONLY_OES), nullptr) << failed;
+    EXPECT_GL_ERROR(GL_OUT_OF_MEMORY) << failed;
+    GLint mapped = -1;
+    glGetBufferParameteriv(GL_ARRAY_BUFFER, GL_BUFFER_MAPPED_OES, &mapped);
+    EXPECT_EQ(mapped, GL_FALSE) << failed;
+  }
+  glDeleteBuffers(1, &name);
+}
+
 TEST_F(ArrayExtensions, MapBufferRange) {
   NEEDS_EXTENSION("GL_EXT_map_buffer_range");
   COMMAND(PFNGLMAPBUFFERRANGEEXTPROC, MapBufferRangeEXT);

@@ -215,6 +215,12 @@ GL_API void* GL_APIENTRY glMapBufferOES(GLenum target, GLenum access) {
     c->setError(GL_INVALID_OPERATION, stillMapped());
     return nullptr;
   }
+  // A program that looks at the pointer alone would write beyond a store that it could not get.
+  if (buffer->size() == 0) {
+    c->setError(GL_OUT_OF_MEMORY,
+                wrongState("The buffer has no store, or an empty one", "Give it one with glBufferData"));
+    return nullptr;
+  }
   return map(*c, *buffer, 0, buffer->size(), GL_MAP_WRITE_BIT_EXT, true);
 }
 
