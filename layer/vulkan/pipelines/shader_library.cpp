@@ -77,25 +77,25 @@ std::vector<uint32_t> ShaderLibrary::compile(cache::KeyKind kind, cache::KeyByte
   return std::move(result.spirv);
 }
 
-void ShaderLibrary::create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted) {
+bool ShaderLibrary::create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted) {
   shader.kind = kind;
   shader.key = key;
   std::vector<uint32_t> spirv = cache::ShaderCache::process().find(kind, key);
   const bool cached = !spirv.empty();
   if (!cached) spirv = compile(kind, key);
   if (counted == Counted::Yes) ++(cached ? fromCache_ : compiled_);
-  if (spirv.empty()) return;
+  if (spirv.empty()) return true;
   dumpShader(device_, {kind, key});
-  shader.module = createModule(spirv, {kind, key});
-  if (shader.module) shader.id = nextId_++;
+  const VkResult result = createModule(spirv, {kind, key}, shader.module);
+  if (result == VK_SUCCESS) shader.id = nextId_++;
+  return result == VK_SUCCESS || isFault(result);
 }
 
-// Null: out of memory, or the driver refuses it.
-VkShaderModule ShaderLibrary::createModule(const std::vector<uint32_t>& spirv, const ShaderText& text) {
+VkResult ShaderLibrary::createModule(const std::vector<uint32_t>& spirv, const ShaderText& text,
+                                     VkShaderModule& module) {
   VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
   info.codeSize = spirv.size() * sizeof(uint32_t);
   info.pCode = spirv.data();
-  VkShaderModule module = VK_NULL_HANDLE;
   const ValidationScope validation;
   const VkResult result = device_.fn().vkCreateShaderModule(device_.handle(), &info, nullptr, &module);
   if (isFault(result))
@@ -103,24 +103,25 @@ VkShaderModule ShaderLibrary::createModule(const std::vector<uint32_t>& spirv, c
                   validation.messages());
   else if (!validation.messages().empty())
     reportFailure(device_, "validation finds fault with a shader", {&text, 1}, {}, validation.messages());
-  if (result != VK_SUCCESS) return VK_NULL_HANDLE;
+  if (result != VK_SUCCESS) {
+    module = VK_NULL_HANDLE;
+    return result;
+  }
   device_.countObject();
   if (device_.labels().nameAll()) device_.labels().name(VK_OBJECT_TYPE_SHADER_MODULE, module, describe(text));
-  return module;
+  return result;
 }
 
 const Shader* ShaderLibrary::get(const gen::VertexKey& key) {
   const Shader& shader = vertex_.get(key, [this](const gen::VertexKey& kept, Shader& made) {
-    create(cache::KeyKind::Vertex, cache::bytesOf(kept), made);
-    return true;
+    return create(cache::KeyKind::Vertex, cache::bytesOf(kept), made);
   });
   return shader.module ? &shader : nullptr;
 }
 
 const Shader* ShaderLibrary::get(const gen::FragmentKey& key) {
   const Shader& shader = fragment_.get(key, [this](const gen::FragmentKey& kept, Shader& made) {
-    create(cache::KeyKind::Fragment, cache::bytesOf(kept), made);
-    return true;
+    return create(cache::KeyKind::Fragment, cache::bytesOf(kept), made);
   });
   return shader.module ? &shader : nullptr;
 }
@@ -129,8 +130,7 @@ const Shader* ShaderLibrary::get(const OwnShader& own, Counted counted) {
   const Shader& shader = own_.get(&own, [&](const OwnShader* kept, Shader& made) {
     const bool vertex = kept->stage == gen::Stage::Vertex;
     const auto kind = vertex ? cache::KeyKind::VertexText : cache::KeyKind::FragmentText;
-    create(kind, std::as_bytes(std::span(std::string_view(kept->text))), made, counted);
-    return true;
+    return create(kind, std::as_bytes(std::span(std::string_view(kept->text))), made, counted);
   });
   return shader.module ? &shader : nullptr;
 }

@@ -54,8 +54,9 @@ class ShaderLibrary {
   template <class Key>
   using Map = MadeOnce<Key, Shader, KeyHash<Key>>;
 
-  void create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
-  VkShaderModule createModule(const std::vector<uint32_t>& spirv, const ShaderText& text);
+  // False: out of memory, so that the next to ask tries again. What is refused is refused for good.
+  bool create(cache::KeyKind kind, cache::KeyBytes key, Shader& shader, Counted counted = Counted::Yes);
+  VkResult createModule(const std::vector<uint32_t>& spirv, const ShaderText& text, VkShaderModule& module);
   // Empty: it does not compile.
   std::vector<uint32_t> compile(cache::KeyKind kind, cache::KeyBytes key);
 
